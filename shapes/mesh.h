@@ -1,0 +1,37 @@
+// Triangle mesh wall. Coplanar neighbours are merged into facets: a facet is what one contact record belongs to, so no
+// inner edge of a flat region ever gives a normal. Edges that are shared by two facets are real; each is owned by one facet.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "shapes/math/quat.h"
+
+namespace shapes {
+
+struct Mesh {
+  static constexpr const char* name = "mesh";
+
+  struct Facet {
+    Vec3d normal;            // unit; both sides are solid to a body that comes from them
+    double offset;           // m, normal·x = offset on the facet
+    std::uint32_t first_triangle, triangle_count;  // facet_triangles[first .. first + count)
+    std::uint32_t first_edge, edge_count;          // facet_edges[first .. first + count): real edges owned by the facet
+    Vec3d lower, upper;      // its bounding box, body frame
+  };
+  struct Edge {  // a real edge: between two facets that are not coplanar, or an open boundary
+    std::uint32_t vertex[2];
+    std::uint32_t facet[2];  // facet[1] = none at an open boundary; the owner is facet[0]
+  };
+  static constexpr std::uint32_t none = 0xffffffffu;
+
+  std::vector<Vec3d> vertices;
+  std::vector<std::uint32_t> triangles;        // three vertex indices each
+  std::vector<Facet> facets;
+  std::vector<std::uint32_t> facet_triangles;  // triangle indices, grouped by facet
+  std::vector<std::uint32_t> facet_edges;      // edge indices, grouped by owner
+  std::vector<Edge> edges;
+};
+
+}  // namespace shapes

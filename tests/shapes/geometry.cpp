@@ -1,0 +1,173 @@
+// Properties of every finite solid kind: support points, mass properties, radii. Runs over samples of each kind.
+#include "shapes/geometry.h"
+
+#include "shapes/list.h"
+#include "tests/shapes/support.h"
+
+namespace shape_tests {
+namespace {
+
+using shapes::Ellipsoid;
+using shapes::MassProperties;
+using shapes::Sphere;
+
+template <class S>
+struct Samples;
+template <>
+struct Samples<Sphere> {
+  static std::vector<Sphere> make() { return {{1.0}, {0.3}, {7e-6}}; }
+};
+template <>
+struct Samples<Ellipsoid> {
+  static std::vector<Ellipsoid> make() {
+    return {{{1, 1, 1}}, {{1, 0.5, 0.2}}, {{0.01, 1, 0.9}}, {{3e-5, 1e-5, 2e-5}}};
+  }
+};
+template <>
+struct Samples<Polyhedron> {
+  static std::vector<Polyhedron> make() {
+    std::vector<Polyhedron> list = {shapes::make_box({1, 0.3, 2}), shapes::make_prism(5, 1, 0.4),
+                                    shapes::make_prism(64, 0.1, 3)};
+    for (const auto s : {shapes::Platonic::tetrahedron, shapes::Platonic::cube, shapes::Platonic::octahedron,
+                         shapes::Platonic::dodecahedron, shapes::Platonic::icosahedron})
+      list.push_back(shapes::make_platonic(s, 0.7));
+    for (const unsigned seed : {1u, 2u, 3u}) {
+      list.push_back(shapes::polyhedron_from_points(random_points(seed, 25), shapes::Frame::principal));
+      auto points = random_points(seed, 8);
+      for (Vec3d& v : points) v += Vec3d{2, -1, 3};
+      list.push_back(shapes::polyhedron_from_points(points, shapes::Frame::as_given));
+    }
+    return list;
+  }
+};
+
+// Level function, <= 0 inside, and a random point of the surface.
+double level(const Sphere& s, const Vec3d& x) { return norm(x) / s.radius - 1; }
+double level(const Ellipsoid& e, const Vec3d& x) {
+  return norm(Vec3d{x.x / e.semi_axes.x, x.y / e.semi_axes.y, x.z / e.semi_axes.z}) - 1;
+}
+double level(const Polyhedron& p, const Vec3d& x) {
+  double worst = dot(p.faces[0].normal, x) - p.faces[0].offset;
+  for (const auto& f : p.faces) worst = std::fmax(worst, dot(f.normal, x) - f.offset);
+  return worst / p.circumradius;
+}
+Vec3d surface_point(const Sphere& s, Random& random) { return s.radius * random.direction(); }
+Vec3d surface_point(const Ellipsoid& e, Random& random) { return scaled(e.semi_axes, random.direction()); }
+Vec3d surface_point(const Polyhedron& p, Random& random) {
+  const auto& f = p.faces[static_cast<std::size_t>(random.uniform(0, static_cast<double>(p.faces.size())))];
+  Vec3d sum{};
+  double total = 0;
+  for (std::uint32_t i = 0; i < f.count; ++i) {
+    const double w = -std::log(random.uniform(1e-9, 1));
+    sum += w * p.vertices[p.face_vertices[f.first + i]];
+    total += w;
+  }
+  return (1 / total) * sum;
+}
+
+template <class S>
+class Solid : public testing::Test {};
+
+// The kinds of the list that are finite solids, that is, have mass properties.
+template <class... S>
+auto solids_of(std::tuple<S...>) {
+  return std::tuple_cat([]<class K>(K*) {
+    if constexpr (requires(const K& k) { shapes::mass_properties(k); })
+      return std::tuple<K>{};
+    else
+      return std::tuple<>{};
+  }(static_cast<S*>(nullptr))...);
+}
+template <class Tuple>
+struct ToTypes;
+template <class... S>
+struct ToTypes<std::tuple<S...>> {
+  using type = testing::Types<S...>;
+};
+using SolidKinds = ToTypes<decltype(solids_of(shapes::List{}))>::type;
+TYPED_TEST_SUITE(Solid, SolidKinds);
+
+TYPED_TEST(Solid, support_point_is_on_the_surface_and_farthest) {
+  Random random(21);
+  for (const TypeParam& s : Samples<TypeParam>::make()) {
+    const double size = shapes::circumradius(s);
+    for (int i = 0; i < 200; ++i) {
+      const Vec3d n = random.direction(), x = support(s, n);
+      EXPECT_NEAR(level(s, x), 0, 16 * eps);
+      for (int k = 0; k < 50; ++k) EXPECT_LE(dot(n, surface_point(s, random)), dot(n, x) + 4 * eps * size);
+    }
+  }
+}
+
+TYPED_TEST(Solid, radii_enclose_and_are_reached) {
+  Random random(22);
+  for (const TypeParam& s : Samples<TypeParam>::make()) {
+    const double outer = shapes::circumradius(s), inner = shapes::inscribed_radius(s);
+    double farthest = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const Vec3d n = random.direction();
+      const double distance = norm(support(s, n));
+      farthest = std::fmax(farthest, distance);
+      EXPECT_LE(distance, outer * (1 + 4 * eps));
+      if (inner > 0) {  // else the origin is outside and the support distance may be anything
+        EXPECT_GE(dot(n, support(s, n)), inner - 4 * eps * outer);
+      }
+    }
+    EXPECT_GE(farthest, 0.99 * outer);
+  }
+}
+
+// Monte Carlo over a box a little larger than the body: 10 sums, each within 4 of its own standard errors.
+TYPED_TEST(Solid, volume_centre_and_inertia_agree_with_monte_carlo) {
+  Random random(23);
+  constexpr int samples = 100000;
+  for (const TypeParam& s : Samples<TypeParam>::make()) {
+    const MassProperties m = shapes::mass_properties(s);
+    Vec3d lower{}, upper{};
+    for (int i = 0; i < 3; ++i) {
+      Vec3d axis{};
+      axis[i] = 1;
+      upper[i] = support(s, axis)[i];
+      lower[i] = support(s, -axis)[i];
+    }
+    const Vec3d margin = 0.05 * (upper - lower);  // or a box would have no sampling error
+    lower -= margin;
+    upper += margin;
+    const Vec3d extent = upper - lower;
+    const double box = extent.x * extent.y * extent.z;
+    double sum[10] = {}, squares[10] = {};
+    for (int i = 0; i < samples; ++i) {
+      const Vec3d x = random.in_box(lower, upper);
+      if (level(s, x) > 0) continue;
+      const Vec3d r = x - m.centre;
+      const double value[10] = {
+          1,          r.x,        r.y,       r.z, r.y * r.y + r.z * r.z, r.z * r.z + r.x * r.x, r.x * r.x + r.y * r.y,
+          -r.x * r.y, -r.y * r.z, -r.z * r.x};
+      for (int k = 0; k < 10; ++k) {
+        sum[k] += value[k];
+        squares[k] += value[k] * value[k];
+      }
+    }
+    const auto& I = m.inertia.row;
+    const double exact[10] = {m.volume, 0, 0, 0, I[0].x, I[1].y, I[2].z, I[0].y, I[1].z, I[2].x};
+    for (int k = 0; k < 10; ++k) {
+      const double mean = sum[k] / samples, error = std::sqrt((squares[k] / samples - mean * mean) / samples);
+      EXPECT_LE(std::fabs(box * mean - exact[k]), 4 * box * error) << k;
+    }
+    EXPECT_TRUE(I[0].y == I[1].x && I[1].z == I[2].y && I[0].z == I[2].x);
+  }
+}
+
+TEST(EquivalentRadius, inverts_the_volume_and_follows_units) {
+  for (const double r : {1.0, 0.3, 7e-6, 123.0}) {
+    const double volume = shapes::mass_properties(Sphere{r}).volume;
+    EXPECT_NEAR(shapes::equivalent_radius(volume) / r, 1, 3 * eps);
+    for (int k = -300; k <= 300; ++k)
+      ASSERT_EQ(shapes::equivalent_radius(std::ldexp(volume, 3 * k)), std::ldexp(shapes::equivalent_radius(volume), k))
+          << k;
+  }
+  EXPECT_EQ(shapes::equivalent_radius(0), 0);
+}
+
+}  // namespace
+}  // namespace shape_tests
