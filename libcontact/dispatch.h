@@ -1,0 +1,57 @@
+// From a pair of kinds to the code that answers it: looked up once per chunk of pairs, never per pair.
+//
+// Three doors to the same code: `query` (one pair, defaults or a named method) and `find` (a function over a chunk of
+// pairs of one bin). The table is derived from methods/list.h.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "libcontact/contact.h"
+
+namespace contact {
+
+// A placed body of any kind, as chunks carry it: trivially copyable, no ownership.
+struct Body {
+  shapes::Kind kind = shapes::Kind::sphere;
+  std::uint32_t part = 0;            // mesh: facet
+  const void* geometry = nullptr;    // shapes::Polyhedron or shapes::Mesh
+  Vec3d size{};                      // sphere: (radius, -, -); ellipsoid: semi-axes; polyhedron, mesh: (scale, -, -)
+  Mat3d rotation = Mat3d::identity();  // body -> world; plane: normal = third column
+};
+
+template <class S>
+Placed<S> placed(const Body& b) {
+  if constexpr (std::is_same_v<S, shapes::Sphere>) return {b.size.x};
+  if constexpr (std::is_same_v<S, shapes::Ellipsoid>) return {b.size, b.rotation};
+  if constexpr (std::is_same_v<S, shapes::Polyhedron>)
+    return {static_cast<const shapes::Polyhedron*>(b.geometry), b.size.x, b.rotation};
+  if constexpr (std::is_same_v<S, shapes::Plane>) return {b.rotation.column(2)};
+  if constexpr (std::is_same_v<S, shapes::Mesh>)
+    return {static_cast<const shapes::Mesh*>(b.geometry), b.part, b.size.x, b.rotation};
+}
+
+// Answers n pairs of one bin: out[i] for (a[i], b[i], offset[i]); cache may be null, else n entries.
+using ChunkQuery = void (*)(std::size_t n, const Body* a, const Body* b, const Vec3d* offset, const Options& options,
+                            Cache* cache, Contact* out);
+
+struct MethodInfo {
+  std::string_view name;      // "analytic", "support_newton", …
+  int cost_rank;              // static: lower is cheaper (contract 11)
+  shapes::Kind a, b;          // a <= b
+  bool certified;             // answers are certified over its whole range
+  std::string_view remark;    // one clause for the catalogue
+};
+
+// The table, by (a, b) and cost rank; and its end.
+const MethodInfo* methods_begin();
+const MethodInfo* methods_end();
+
+// Null when no such method answers this pair. Needs a <= b in kind order. "auto": the cheapest certified method.
+ChunkQuery find(shapes::Kind a, shapes::Kind b, std::string_view method = "auto");
+
+// One pair in any order; normal points from a to b; vectors relative to a's origin. Status refused for an unknown pair.
+Contact query(const Body& a, const Body& b, const Vec3d& offset, const Options& options = {},
+              std::string_view method = "auto");
+
+}  // namespace contact

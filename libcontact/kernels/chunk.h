@@ -1,0 +1,64 @@
+// Chunks of contacts as structures of arrays: what flows from the gather through the law kernels and back.
+// Plain arrays of doubles, no Eigen type: these headers are included by sources compiled per instruction set.
+#pragma once
+
+#include <cstddef>
+
+namespace contact::kernels {
+
+inline constexpr std::size_t chunk_size = 32;  // contacts; a multiple of every pack width
+
+struct alignas(64) Lane {
+  double v[chunk_size] = {};
+  double& operator[](std::size_t i) { return v[i]; }
+  double operator[](std::size_t i) const { return v[i]; }
+};
+struct Lane3 {
+  Lane x, y, z;
+};
+
+// Sphere pairs as gathered; `spheres` fills overlap, normal, velocity, turn and the levers of a LawChunk from it.
+struct SphereChunk {
+  Lane3 offset;             // x_b − x_a, m
+  Lane radius_a, radius_b;  // m
+  Lane3 spin_a, spin_b;     // rad/s
+};
+
+struct LawChunk {
+  // geometry and motion
+  Lane overlap;    // m
+  Lane3 normal;    // a → b
+  Lane3 velocity;  // of a relative to b at the centre of contact, m/s (spheres: in: of the centres)
+  Lane turn;       // ½(ω_a + ω_b)·n, rad/s
+  Lane radius_eff, mass_eff;
+  // pair parameters
+  Lane young_eff, shear_eff, stiffness_n, stiffness_t, friction, damping;
+  // history, in and out
+  Lane3 history_force, history_normal;
+  Lane history_overlap, history_twist;
+  // patch: second moments about its centre and the relative spin ω_a − ω_b
+  Lane spread_xx, spread_yy, spread_zz, spread_xy, spread_xz, spread_yz;
+  Lane3 relative_spin;
+  // answers
+  Lane3 force;                           // on a, N
+  Lane3 couple;                          // on a, N m (patch), or for spheres the torque on a
+  Lane3 couple_b;                        // spheres: the torque on b
+};
+
+using LawKernel = void (*)(LawChunk& chunk, std::size_t count, double dt, bool rescale);
+using SphereKernel = void (*)(const SphereChunk& in, LawChunk& chunk, std::size_t count);
+using SphereTorqueKernel = void (*)(const SphereChunk& in, LawChunk& chunk, std::size_t count);
+
+struct KernelSet {
+  const char* name;                                     // sse2, avx2, avx512
+  SphereKernel spheres;                                 // before the law
+  SphereTorqueKernel sphere_torques;                    // after it
+  LawKernel hertz_mindlin, spring_dashpot;              // point contacts
+  LawKernel hertz_mindlin_patch, spring_dashpot_patch;  // contacts over a patch
+};
+
+// The best set this processor runs; the environment variable DEM_SIMD (sse2 | avx2 | avx512) asks for another. Every
+// set gives the same bits. Chosen once.
+const KernelSet& kernels();
+
+}  // namespace contact::kernels

@@ -1,0 +1,17 @@
+// The list of methods: the only place that names them all. The dispatch table, the catalogue and the property tests are
+// derived from it; which pairs a method answers follows from its `query` overloads (methods/method.h).
+#pragma once
+
+#include <tuple>
+
+#include "libcontact/methods/analytic.h"
+#include "libcontact/methods/features.h"
+#include "libcontact/methods/polyhedron_plane.h"
+#include "libcontact/methods/sat.h"
+#include "libcontact/methods/support_newton.h"
+
+namespace contact {
+
+using Methods = std::tuple<Analytic, PolyhedronPlane, SupportNewton, Sat, Features>;
+
+}  // namespace contact
