@@ -1,0 +1,254 @@
+#include "libdem/broad_phase/candidates.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "libdem/broad_phase/cells.h"
+
+namespace dem {
+namespace {
+
+struct Record {
+  Key key;
+  std::uint32_t a, b;
+};
+
+using Rows = std::vector<std::vector<Record>>;
+
+double reach_of(const World& world) {
+  double largest = 0;
+  for (const Motion& m : world.particles.motion) largest = std::max(largest, m.bounding_radius);
+  return 2 * largest + world.skin;
+}
+
+bool near_facet(const shapes::Mesh::Facet& f, const Vec3d& x, double reach) {
+  double d2 = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double d = std::max({f.lower[k] - x[k], x[k] - f.upper[k], 0.0});
+    d2 += d * d;
+  }
+  const double height = dot(f.normal, x) - f.offset;
+  return d2 < reach * reach && height < reach && height > -reach;
+}
+
+// The walls and facets near a particle go to the end of its row, in order of wall and facet.
+void wall_candidates(const World& world, std::size_t i, const std::vector<shapes::Mat3d>& frames,
+                     std::vector<Record>& row) {
+  const Motion& m = world.particles.motion[i];
+  const double reach = m.bounding_radius + world.skin;
+  for (std::size_t w = 0; w < world.walls.size(); ++w) {
+    const Wall& wall = world.walls[w];
+    if (!wall.present) continue;
+    const Vec3d d = m.position - wall.position;
+    Record record{
+        {world.particles.id[i], wall_base + w, 0}, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(w)};
+    if (wall.kind == shapes::Kind::plane) {
+      if (dot(frames[w].column(2), d) < reach) row.push_back(record);
+      continue;
+    }
+    const Vec3d x = transposed_times(frames[w], d);
+    for (std::size_t f = 0; f < wall.mesh->facets.size(); ++f) {
+      if (!near_facet(wall.mesh->facets[f], x, reach)) continue;
+      record.key.part = static_cast<std::uint32_t>(f);
+      row.push_back(record);
+    }
+  }
+}
+
+// The row of a particle: its partners of higher id, in order of id. Rows stand in the order of storage, so that what is
+// near in space is near in memory; each thread takes whole blocks of rows.
+void particle_pairs(const World& world, int threads, Rows& rows) {
+  const Particles& p = world.particles;
+  const std::size_t n = p.count();
+  const Cells cells(
+      n, [&](std::size_t i) -> const Vec3d& { return p.motion[i].position; }, reach_of(world));
+  const auto kind = [&](std::size_t i) { return world.shapes[p.shape[i]].kind; };
+  std::vector<shapes::Mat3d> frames;
+  for (const Wall& w : world.walls) frames.push_back(shapes::rotation_matrix(w.orientation));
+  const std::size_t block = 256, blocks = (n + block - 1) / block;
+  rows.resize(blocks);
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
+  for (std::size_t r = 0; r < blocks; ++r) {
+    std::vector<std::uint32_t> partners;
+    for (std::size_t i = r * block; i < std::min(n, (r + 1) * block); ++i) {
+      partners.clear();
+      const Motion& m = p.motion[i];
+      cells.around(i, [&](std::uint32_t j) {
+        if (p.id[j] <= p.id[i]) return;
+        const Vec3d d = p.motion[j].position - m.position;
+        const double reach = m.bounding_radius + p.motion[j].bounding_radius + world.skin;
+        if (dot(d, d) < reach * reach) partners.push_back(j);
+      });
+      std::sort(partners.begin(), partners.end(), [&](std::uint32_t x, std::uint32_t y) { return p.id[x] < p.id[y]; });
+      for (const std::uint32_t j : partners) {
+        const auto a = static_cast<std::uint32_t>(i);
+        const bool swap = kind(j) < kind(i);
+        rows[r].push_back({{p.id[i], p.id[j], 0}, swap ? j : a, swap ? a : j});
+      }
+      wall_candidates(world, i, frames, rows[r]);
+    }
+  }
+}
+
+void index_by_particle(World& world) {
+  Contacts& c = world.contacts;
+  c.incidence_start.assign(world.particles.count() + 1, 0);
+  c.wall_records.clear();
+  for (std::size_t k = 0; k < c.count(); ++k) {
+    ++c.incidence_start[c.index_a[k] + 1];
+    if (c.key[k].b >= wall_base)
+      c.wall_records.push_back(static_cast<std::uint32_t>(k));
+    else
+      ++c.incidence_start[c.index_b[k] + 1];
+  }
+  for (std::size_t i = 0; i < world.particles.count(); ++i) c.incidence_start[i + 1] += c.incidence_start[i];
+  c.incidence.resize(c.incidence_start.back());
+  std::vector<std::uint32_t> next(c.incidence_start.begin(), c.incidence_start.end() - 1);
+  for (std::size_t k = 0; k < c.count(); ++k) {
+    const auto record = static_cast<std::uint32_t>(2 * k);
+    c.incidence[next[c.index_a[k]]++] = record;
+    if (c.key[k].b < wall_base) c.incidence[next[c.index_b[k]]++] = record + 1;
+  }
+  // Sums run in order of the partner's id, walls last.
+  const auto partner = [&](std::size_t i, std::uint32_t e) {
+    const Key& key = c.key[e >> 1];
+    return std::pair(key.a == world.particles.id[i] ? key.b : key.a, key.part);
+  };
+  for (std::size_t i = 0; i < world.particles.count(); ++i)
+    std::sort(c.incidence.begin() + c.incidence_start[i], c.incidence.begin() + c.incidence_start[i + 1],
+              [&](std::uint32_t x, std::uint32_t y) { return partner(i, x) < partner(i, y); });
+  c.active.resize(c.incidence.size());
+  c.active_count.assign(world.particles.count(), 0);
+  for (std::size_t i = 0; i < world.particles.count(); ++i)
+    for (std::uint32_t e = c.incidence_start[i]; e < c.incidence_start[i + 1]; ++e)
+      if (c.touching[c.incidence[e] >> 1] != 0) c.active[c.incidence_start[i] + c.active_count[i]++] = c.incidence[e];
+  std::sort(c.wall_records.begin(), c.wall_records.end(),
+            [&](std::uint32_t x, std::uint32_t y) { return c.key[x] < c.key[y]; });
+}
+
+template <class T>
+void permute(std::vector<T>& v, const std::vector<std::uint32_t>& order) {
+  std::vector<T> sorted;
+  sorted.reserve(v.size());
+  for (const std::uint32_t i : order) sorted.push_back(v[i]);
+  v = std::move(sorted);
+}
+
+// Stores particles cell by cell: what is near in space comes near in memory. Nothing else depends on the order.
+void sort_in_space(World& world) {
+  Particles& p = world.particles;
+  const Cells cells(
+      p.count(), [&](std::size_t i) -> const Vec3d& { return p.motion[i].position; }, reach_of(world));
+  const std::vector<std::uint32_t>& order = cells.order();
+  permute(p.id, order);
+  permute(p.shape, order);
+  permute(p.material, order);
+  permute(p.size, order);
+  permute(p.motion, order);
+  permute(p.orientation, order);
+  permute(p.rotation, order);
+  permute(p.angular_momentum, order);
+  permute(p.inertia, order);
+  permute(p.mass, order);
+  permute(p.force, order);
+  permute(p.torque, order);
+}
+
+constexpr std::uint64_t sort_every = 16;  // rebuilds
+
+void fill_bins(World& world) {
+  Contacts& c = world.contacts;
+  const Particles& p = world.particles;
+  c.bins.clear();
+  std::array<int, shapes::kind_count * shapes::kind_count> bin_of;
+  bin_of.fill(-1);
+  bool all_spheres = true;
+  for (std::size_t k = 0; k < c.count(); ++k) {
+    const bool wall = c.key[k].b >= wall_base;
+    const shapes::Kind a = world.shapes[p.shape[c.index_a[k]]].kind;
+    const shapes::Kind b = wall ? world.walls[c.index_b[k]].kind : world.shapes[p.shape[c.index_b[k]]].kind;
+    int& bin = bin_of[static_cast<std::size_t>(a) * shapes::kind_count + static_cast<std::size_t>(b)];
+    if (bin < 0) {
+      bin = static_cast<int>(c.bins.size());
+      const bool closed = a == shapes::Kind::sphere && (b == shapes::Kind::sphere || b == shapes::Kind::plane);
+      all_spheres = all_spheres && closed;
+      c.bins.push_back({a, b, closed ? nullptr : contact::find(a, b, world.scene.method), {}});
+    }
+    c.bins[static_cast<std::size_t>(bin)].records.push_back(static_cast<std::uint32_t>(k));
+  }
+  c.centre.resize(all_spheres ? 0 : c.count());
+}
+
+}  // namespace
+
+bool candidates_outdated(const World& world) {
+  const Contacts& c = world.contacts;
+  if (c.stale || world.scene.run.rebuild_every == 1) return true;
+  if (world.scene.run.rebuild_every > 0 && world.step % world.scene.run.rebuild_every == 0) return true;
+  const double half = 0.5 * world.skin;
+  for (std::size_t i = 0; i < world.particles.count(); ++i) {
+    const Vec3d d = world.particles.motion[i].position - c.reference[i];
+    if (dot(d, d) >= half * half) return true;
+  }
+  for (const Wall& w : world.walls) {
+    const Quatd turn = w.orientation * shapes::conjugate(w.list_orientation);
+    const double half_angle_sine = shapes::norm(Vec3d{turn.x, turn.y, turn.z});
+    const double moved = shapes::norm(w.position - w.list_position) + 2 * half_angle_sine * w.extent;
+    if (moved >= half || (w.kind == shapes::Kind::plane && half_angle_sine > 0)) return true;
+  }
+  return false;
+}
+
+void rebuild_candidates(World& world, int threads) {
+  const auto begin = std::chrono::steady_clock::now();
+  Contacts& c = world.contacts;
+  const Particles& p = world.particles;
+  if (world.counters.rebuilds % sort_every == 0) sort_in_space(world);
+  Rows rows;
+  particle_pairs(world, threads, rows);
+  const Contacts old = std::move(c);
+  c = {};
+  std::size_t total = 0;
+  for (const auto& r : rows) total += r.size();
+  // Where the rows of the old list begin, by the id of their particle.
+  std::vector<std::uint32_t> old_row(world.next_id, static_cast<std::uint32_t>(old.count()));
+  for (std::size_t o = old.count(); o-- > 0;) old_row[old.key[o].a] = static_cast<std::uint32_t>(o);
+
+  c.key.reserve(total);
+  c.index_a.reserve(total);
+  c.index_b.reserve(total);
+  c.history.resize(total);
+  c.touching.resize(total);
+  c.slot.resize(total);
+  std::vector<contact::Cache> cache(total);
+  std::size_t k = 0, o = 0;
+  for (const auto& block : rows)
+    for (const Record& record : block) {
+      if (k == 0 || record.key.a != c.key.back().a) o = old_row[record.key.a];
+      c.key.push_back(record.key);
+      c.index_a.push_back(record.a);
+      c.index_b.push_back(record.b);
+      while (o < old.count() && old.key[o].a == record.key.a && old.key[o] < record.key) ++o;
+      if (o < old.count() && old.key[o] == record.key) {
+        c.history[k] = old.history[o];
+        c.touching[k] = old.touching[o];
+        if (!old.cache.empty()) cache[k] = old.cache[o];
+      }
+      ++k;
+    }
+  fill_bins(world);
+  if (!c.centre.empty()) c.cache = std::move(cache);
+  index_by_particle(world);
+  c.reference.resize(p.count());
+  for (std::size_t i = 0; i < p.count(); ++i) c.reference[i] = p.motion[i].position;
+  for (Wall& wall : world.walls) {
+    wall.list_position = wall.position;
+    wall.list_orientation = wall.orientation;
+  }
+  c.stale = false;
+  ++world.counters.rebuilds;
+  world.counters.candidates = total;
+  world.times.broad += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace dem

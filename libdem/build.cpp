@@ -1,0 +1,154 @@
+// build_world: from a resolved scene to the world at t = 0.
+#include "libdem/build.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "libcontact/laws/mix.h"
+#include "libdem/broad_phase/candidates.h"
+#include "libdem/forces.h"
+#include "libdem/integrators/rotation.h"
+#include "libdem/walls.h"
+
+namespace dem {
+
+std::uint32_t shape_index(const World& world, const std::string& name, const Where& where) {
+  for (std::size_t i = 0; i < world.shapes.size(); ++i)
+    if (world.shapes[i].name == name) return static_cast<std::uint32_t>(i);
+  input_error(where, "shape \"" + name + "\" is not defined");
+}
+
+std::uint32_t material_index(const World& world, const std::string& name, const Where& where) {
+  for (std::size_t i = 0; i < world.scene.materials.size(); ++i)
+    if (world.scene.materials[i].name == name) return static_cast<std::uint32_t>(i);
+  input_error(where, "material \"" + name + "\" is not defined");
+}
+
+void add_particle(World& world, std::uint32_t shape, std::uint32_t material, double scale, const Vec3d& position,
+                  const Quatd& orientation, const Vec3d& velocity, const Vec3d& spin) {
+  const ShapeEntry& s = world.shapes[shape];
+  const double density = world.materials[material].density, cube = scale * scale * scale;
+  Particles& p = world.particles;
+  p.id.push_back(world.next_id++);
+  p.shape.push_back(shape);
+  p.material.push_back(material);
+  p.size.push_back(s.size * scale);
+  p.mass.push_back(density * s.volume * cube);
+  p.inertia.push_back(s.inertia * (density * (cube * scale * scale)));
+  p.orientation.push_back(shapes::normalized(orientation));
+  p.rotation.push_back({});
+  const shapes::Mat3d r = shapes::rotation_matrix(p.orientation.back());
+  p.angular_momentum.push_back(r * shapes::scaled(p.inertia.back(), shapes::transposed_times(r, spin)));
+  p.force.push_back({});
+  p.torque.push_back({});
+  p.motion.push_back(
+      {position, s.circumradius * scale, velocity, 1 / p.mass.back(), spin, s.equivalent_radius * scale});
+  ++world.counters.inserted;
+}
+
+namespace {
+
+void mix_materials(World& world) {
+  for (const MaterialSpec& m : world.scene.materials)
+    world.materials.push_back({m.young, m.poisson, m.density, m.restitution, m.friction, m.stiffness, m.rigid});
+  const std::size_t n = world.materials.size();
+  world.pairs.resize(n * n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) world.pairs[i * n + j] = contact::mix(world.materials[i], world.materials[j]);
+  for (const MaterialPairSpec& p : world.scene.pairs) {
+    const std::size_t i = material_index(world, p.a, p.where), j = material_index(world, p.b, p.where);
+    for (contact::PairParameters* q : {&world.pairs[i * n + j], &world.pairs[j * n + i]}) {
+      if (!std::isnan(p.friction)) q->friction = p.friction;
+      if (!std::isnan(p.stiffness)) {
+        q->stiffness_t = p.stiffness * (q->stiffness_n > 0 ? q->stiffness_t / q->stiffness_n : 1);
+        q->stiffness_n = p.stiffness;
+      }
+      if (!std::isnan(p.restitution)) {
+        q->restitution = p.restitution;
+        q->damping = contact::clipped_damping(p.restitution);
+      }
+    }
+  }
+}
+
+double inscribed_radius(const World& world, std::size_t i) {
+  const ShapeEntry& s = world.shapes[world.particles.shape[i]];
+  return s.inscribed_radius * (world.particles.motion[i].bounding_radius / s.circumradius);
+}
+
+// Contacts of the scene as given must be shallow: anything else is a mistake that would explode.
+void check_initial_overlap(const World& world, const std::vector<const Where*>& where) {
+  const Contacts& c = world.contacts;
+  for (std::size_t k = 0; k < c.count(); ++k) {
+    if (!c.touching[k]) continue;
+    const bool wall = c.key[k].b >= wall_base;
+    double size = inscribed_radius(world, c.index_a[k]);
+    if (!wall) size = std::min(size, inscribed_radius(world, c.index_b[k]));
+    const double overlap = c.history[k].overlap, allowed = world.scene.run.max_initial_overlap * size;
+    if (overlap <= allowed) continue;
+    const std::string other = wall ? "wall \"" + world.walls[c.index_b[k]].name + "\""
+                                   : "body " + std::to_string(world.particles.id[c.index_b[k]]);
+    input_error(*where[world.particles.id[c.index_a[k]]],
+                "body " + std::to_string(world.particles.id[c.index_a[k]]) + " overlaps " + other + " by " +
+                    std::to_string(100 * overlap / size) + " % of the smaller inscribed radius; allowed: up to " +
+                    std::to_string(100 * world.scene.run.max_initial_overlap) + " % (run.max_initial_overlap)");
+  }
+}
+
+double automatic_skin(const World& world) {
+  double smallest = 0;
+  for (const Motion& m : world.particles.motion)
+    smallest = smallest == 0 ? m.equivalent_radius : std::min(smallest, m.equivalent_radius);
+  return 0.2 * smallest;
+}
+
+}  // namespace
+
+World build_world(const Scene& scene) {
+  World world;
+  world.scene = scene;
+  mix_materials(world);
+  for (const ShapeSpec& s : scene.shapes) world.shapes.push_back(make_shape(s));
+  for (const WallSpec& w : scene.walls) world.walls.push_back(make_wall(w, material_index(world, w.material, w.where)));
+  std::vector<const Where*> where;
+  const auto mark = [&](const Where& w) { where.resize(world.particles.count(), &w); };
+  for (const BodySpec& b : scene.bodies) {
+    add_particle(world, shape_index(world, b.shape, b.where), material_index(world, b.material, b.where), b.scale,
+                 b.position, b.orientation, b.velocity, b.spin);
+    mark(b.where);
+  }
+  for (const CsvSpec& c : scene.csv) {
+    add_csv(world, c);
+    mark(c.where);
+  }
+  std::uint64_t stream = 0;
+  for (const FillSpec& f : scene.fills) {
+    add_fill(world, f, stream++);
+    mark(f.where);
+  }
+  for (const OutletSpec& o : scene.outlets) world.outlets.push_back({o.name, 0, 0});
+  for (std::size_t i = 0; i < world.particles.count(); ++i) {
+    if (world.shapes[world.particles.shape[i]].kind == shapes::Kind::sphere) continue;
+    world.particles.motion[i].spin =
+        spin_of(world.particles.orientation[i], world.particles.angular_momentum[i], world.particles.inertia[i]);
+  }
+  world.skin = scene.run.skin >= 0 ? scene.run.skin : automatic_skin(world);
+  world.time_step = choose_time_step(world);
+  move_walls(world);
+  rebuild_candidates(world, 1);
+  compute_forces(world, 1, 0.0);  // no time has passed: history of initial contacts begins without slip
+  check_initial_overlap(world, where);
+  sum_forces(world, 1);
+  const Vec3d p = momentum(world);
+  world.balance.initial_momentum = {p.x, p.y, p.z};
+  for (const std::uint32_t i : order_by_id(world)) world.balance.initial_mass += world.particles.mass[i];
+  world.balance.present_mass = world.balance.initial_mass;
+  return world;
+}
+
+std::uint64_t total_steps(const World& world) {
+  const RunSpec& run = world.scene.run;
+  return run.steps > 0 ? run.steps : static_cast<std::uint64_t>(std::ceil(run.time / world.time_step.dt - 1e-9));
+}
+
+}  // namespace dem

@@ -1,0 +1,31 @@
+// The pieces of build_world.
+#pragma once
+
+#include "libdem/world.h"
+
+namespace dem {
+
+ShapeEntry make_shape(const ShapeSpec& spec);
+Wall make_wall(const WallSpec& spec, std::uint32_t material);
+
+// Appends a body; `where` is kept by the caller for messages. scale multiplies the shape's size.
+void add_particle(World& world, std::uint32_t shape, std::uint32_t material, double scale, const Vec3d& position,
+                  const Quatd& orientation, const Vec3d& velocity, const Vec3d& spin);
+// Fills a box; throws InputError when the bodies do not fit.
+void add_fill(World& world, const FillSpec& spec, std::uint64_t stream);
+void add_csv(World& world, const CsvSpec& spec);
+
+// dt from the smallest stability limit of the scene's contacts (contract 4).
+TimeStep choose_time_step(const World& world);
+// Normal and tangential stiffness of a touching contact as it is now, N/m.
+struct Stiffness {
+  double n, t;
+};
+Stiffness contact_stiffness(const World& world, std::size_t record);
+// The smallest limit of the contacts as they are now, s; +infinity without contacts.
+double present_limit(const World& world);
+
+std::uint32_t shape_index(const World& world, const std::string& name, const Where& where);
+std::uint32_t material_index(const World& world, const std::string& name, const Where& where);
+
+}  // namespace dem

@@ -1,0 +1,59 @@
+// Candidate pairs and the history of contacts. Records are sorted by (a, b, part); history survives a rebuild of the
+// list by merging sorted keys, so what a contact remembers does not depend on when lists were built.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "libcontact/dispatch.h"
+#include "libcontact/laws/law.h"
+
+namespace dem {
+
+using contact::Material;
+using contact::PairParameters;
+using shapes::Vec3d;
+
+// Who touches whom: a is a particle; b a particle (by id) or, above wall_base, a wall; part the mesh facet.
+struct Key {
+  std::uint64_t a = 0, b = 0;
+  std::uint32_t part = 0;
+  friend auto operator<=>(const Key&, const Key&) = default;
+};
+inline constexpr std::uint64_t wall_base = std::uint64_t(1) << 63;
+
+struct Slot {                    // what a contact gave this step; zero when not touching
+  Vec3d force{};                 // on a, N
+  Vec3d torque_a{}, torque_b{};  // about the bodies' centres, N m
+};
+
+// The records of one pair of kinds, answered by one function: dispatch happens here, never per pair.
+struct Bin {
+  shapes::Kind a = shapes::Kind::sphere, b = shapes::Kind::sphere;
+  contact::ChunkQuery query = nullptr;  // null: sphere–sphere and sphere–plane, which have kernels of their own
+  std::vector<std::uint32_t> records;
+};
+
+struct Contacts {
+  std::vector<Key> key;  // row by row
+  std::vector<std::uint32_t> index_a,
+      index_b;                            // particle index; index_b = wall index for walls. a is lower in kind order
+  std::vector<contact::History> history;  // zero when not touching
+  std::vector<std::uint8_t> touching;
+  std::vector<Slot> slot;
+  std::vector<Vec3d> centre;                   // of the contact, relative to a's centre, m; empty when all are spheres
+  std::vector<contact::Cache> cache;           // likewise
+  std::vector<double> stiffness, stiffness_t;  // N/m, of this step; for the monitor of the time step
+
+  std::vector<Bin> bins;
+  std::vector<std::uint32_t> incidence_start;  // per particle (count + 1): its records in order of partner
+  std::vector<std::uint32_t> incidence;        // record · 2 + (1 when the particle is b)
+  std::vector<std::uint32_t> active;           // per particle, from the same start: those of its records that touch
+  std::vector<std::uint32_t> active_count;
+  std::vector<std::uint32_t> wall_records;  // records with a wall
+  std::vector<Vec3d> reference;             // particle positions at the last rebuild
+  bool stale = true;                        // the list must be rebuilt before it is used
+  std::size_t count() const { return key.size(); }
+};
+
+}  // namespace dem

@@ -1,0 +1,396 @@
+#include "libdem/forces.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "libcontact/kernels/chunk.h"
+
+namespace dem {
+namespace {
+
+using contact::kernels::chunk_size;
+using contact::kernels::KernelSet;
+using contact::kernels::Lane3;
+using contact::kernels::LawChunk;
+using contact::kernels::SphereChunk;
+
+void put(Lane3& lane, std::size_t i, const Vec3d& v) {
+  lane.x[i] = v.x;
+  lane.y[i] = v.y;
+  lane.z[i] = v.z;
+}
+Vec3d get(const Lane3& lane, std::size_t i) { return {lane.x[i], lane.y[i], lane.z[i]}; }
+
+struct WallFrame {  // of this step
+  contact::Body body;
+  Vec3d normal;  // plane
+};
+
+struct Tally {
+  std::uint64_t queries = 0, touching = 0, not_converged = 0, uncertified = 0;
+};
+
+// One thread's working set; reused over its chunks.
+struct Scratch {
+  std::vector<std::uint32_t> changed;  // records whose contact came or went
+  LawChunk law;
+  SphereChunk spheres;
+  std::uint32_t record[chunk_size] = {};
+  contact::Body a[chunk_size], b[chunk_size];
+  Vec3d offset[chunk_size];
+  contact::Cache cache[chunk_size];
+  contact::Contact answer[chunk_size];
+  Vec3d arm_a[chunk_size], arm_b[chunk_size];
+};
+
+class ForcePass {
+ public:
+  ForcePass(World& world, double dt)
+      : world_(world), c_(world.contacts), p_(world.particles), set_(contact::kernels::kernels()), dt_(dt) {
+    rescale_ = world.scene.law.rescale;
+    hertz_ = world.scene.law.name == LawName::hertz_mindlin;
+    for (const Wall& w : world.walls) {
+      contact::Body b;
+      b.kind = w.kind;
+      b.geometry = w.mesh.get();
+      b.size = {1, 1, 1};
+      b.rotation = shapes::rotation_matrix(w.orientation);
+      walls_.push_back({b, b.rotation.column(2)});
+    }
+  }
+
+  Tally chunk(const Bin& bin, std::size_t first, Scratch& s) const {
+    const std::size_t last = std::min(first + chunk_size, bin.records.size());
+    const auto* records = bin.records.data();
+    if (bin.query != nullptr) return general(bin, records + first, last - first, s);
+    return bin.b == shapes::Kind::plane ? sphere_planes(records + first, last - first, s)
+                                        : sphere_pairs(records + first, last - first, s);
+  }
+
+ private:
+  void forget(std::size_t k, Scratch& s) const {
+    if (c_.touching[k] == 0) return;
+    c_.history[k] = {};
+    c_.touching[k] = 0;
+    c_.slot[k] = {};
+    s.changed.push_back(static_cast<std::uint32_t>(k));
+  }
+
+  void load_pair(std::size_t i, std::size_t k, std::uint32_t material_a, std::uint32_t material_b, LawChunk& l) const {
+    const PairParameters& q = world_.pairs[material_a * world_.materials.size() + material_b];
+    l.young_eff[i] = q.young_eff;
+    l.shear_eff[i] = q.shear_eff;
+    l.stiffness_n[i] = q.stiffness_n;
+    l.stiffness_t[i] = q.stiffness_t;
+    l.friction[i] = q.friction;
+    l.damping[i] = q.damping;
+    const contact::History& h = c_.history[k];
+    put(l.history_force, i, h.force_t);
+    put(l.history_normal, i, h.normal);
+    l.history_overlap[i] = h.overlap;
+    l.history_twist[i] = h.twist;
+  }
+
+  void store(std::size_t i, std::size_t k, const LawChunk& l, const Vec3d& torque_a, const Vec3d& torque_b,
+             Scratch& s) const {
+    contact::History& h = c_.history[k];
+    h.force_t = get(l.history_force, i);
+    h.normal = get(l.history_normal, i);
+    h.overlap = l.history_overlap[i];
+    h.twist = l.history_twist[i];
+    if (c_.touching[k] == 0) s.changed.push_back(static_cast<std::uint32_t>(k));
+    c_.touching[k] = 1;
+    c_.slot[k] = {get(l.force, i), torque_a, torque_b};
+  }
+
+  void run_law(LawChunk& l, std::size_t n, bool patch) const {
+    const auto kernel = patch ? (hertz_ ? set_.hertz_mindlin_patch : set_.spring_dashpot_patch)
+                              : (hertz_ ? set_.hertz_mindlin : set_.spring_dashpot);
+    kernel(l, n, dt_, rescale_);
+  }
+
+  // Sphere pairs: squared distances first, branch-free, while the memory of those that touch is on its way; then the
+  // few that do go through the kernels.
+  Tally sphere_pairs(const std::uint32_t* records, std::size_t count, Scratch& s) const {
+    Tally t;
+    std::size_t n = 0;
+    LawChunk& l = s.law;
+    for (std::size_t r = 0; r < count; ++r) {
+      const std::uint32_t k = records[r];
+      const Motion &a = p_.motion[c_.index_a[k]], &b = p_.motion[c_.index_b[k]];
+      const Vec3d d = b.position - a.position;
+      const double reach = a.bounding_radius + b.bounding_radius;
+      const bool touches = dot(d, d) < reach * reach;
+      s.record[n] = k;
+      n += touches ? 1 : 0;
+      __builtin_prefetch(&c_.history[k], 1);
+      if (!touches && c_.touching[k] != 0) forget(k, s);
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t k = s.record[i];
+      const Motion &a = p_.motion[c_.index_a[k]], &b = p_.motion[c_.index_b[k]];
+      put(s.spheres.offset, i, b.position - a.position);
+      s.spheres.radius_a[i] = a.bounding_radius;
+      s.spheres.radius_b[i] = b.bounding_radius;
+      put(s.spheres.spin_a, i, a.spin);
+      put(s.spheres.spin_b, i, b.spin);
+      put(l.velocity, i, a.velocity - b.velocity);
+      l.mass_eff[i] = 1 / (a.inverse_mass + b.inverse_mass);
+      load_pair(i, k, p_.material[c_.index_a[k]], p_.material[c_.index_b[k]], l);
+    }
+    set_.spheres(s.spheres, l, n);
+    run_law(l, n, false);
+    set_.sphere_torques(s.spheres, l, n);
+    t.queries = count;
+    t.touching = n;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (l.history_overlap[i] > 0)
+        store(i, s.record[i], l, get(l.couple, i), get(l.couple_b, i), s);
+      else
+        forget(s.record[i], s);  // the squares said touching, the root rounds to no overlap
+    }
+    return t;
+  }
+
+  Tally sphere_planes(const std::uint32_t* records, std::size_t count, Scratch& s) const {
+    Tally t;
+    std::size_t n = 0;
+    LawChunk& l = s.law;
+    for (std::size_t r = 0; r < count; ++r) {
+      const std::size_t k = records[r];
+      const std::uint32_t w = c_.index_b[k];
+      const Wall& wall = world_.walls[w];
+      const Motion& a = p_.motion[c_.index_a[k]];
+      const Vec3d m = walls_[w].normal;
+      const double height = dot(m, a.position - wall.position), overlap = a.bounding_radius - height;
+      if (!(overlap > 0)) {
+        forget(k, s);
+        continue;
+      }
+      const double arm = a.bounding_radius - 0.5 * overlap;
+      const Vec3d normal = -m, lever = normal * arm;
+      const Vec3d wall_arm = a.position + lever - wall.position;
+      put(l.normal, n, normal);
+      l.overlap[n] = overlap;
+      put(l.velocity, n, a.velocity + cross(a.spin, lever) - wall.velocity - cross(wall.spin, wall_arm));
+      l.turn[n] = 0.5 * dot(a.spin + wall.spin, normal);
+      l.radius_eff[n] = a.bounding_radius;
+      l.mass_eff[n] = 1 / a.inverse_mass;
+      load_pair(n, k, p_.material[c_.index_a[k]], wall.material, l);
+      s.arm_a[n] = lever;
+      s.arm_b[n] = wall_arm;
+      s.record[n++] = static_cast<std::uint32_t>(k);
+    }
+    run_law(l, n, false);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vec3d f = get(l.force, i);
+      store(i, s.record[i], l, cross(s.arm_a[i], f), -cross(s.arm_b[i], f), s);
+    }
+    t.queries = count;
+    t.touching = n;
+    return t;
+  }
+
+  contact::Body body_of(std::uint32_t i) const {
+    const ShapeEntry& e = world_.shapes[p_.shape[i]];
+    contact::Body b;
+    b.kind = e.kind;
+    b.geometry = e.polyhedron.get();
+    b.size = p_.size[i];
+    if (e.kind != shapes::Kind::sphere) b.rotation = shapes::rotation_matrix(p_.orientation[i]);
+    return b;
+  }
+
+  // 1/m of the point at `arm` along the unit vector n (contract 4).
+  double inverse_mass(std::uint32_t i, const contact::Body& b, const Vec3d& arm, const Vec3d& n) const {
+    const Vec3d t = transposed_times(b.rotation, cross(arm, n));
+    const Vec3d& inertia = p_.inertia[i];
+    return p_.motion[i].inverse_mass + (t.x * t.x / inertia.x + t.y * t.y / inertia.y + t.z * t.z / inertia.z);
+  }
+
+  Tally general(const Bin& bin, const std::uint32_t* records, std::size_t count, Scratch& s) const {
+    for (std::size_t r = 0; r < count; ++r) {
+      const std::size_t k = records[r];
+      const std::uint32_t ia = c_.index_a[k], ib = c_.index_b[k];
+      s.a[r] = body_of(ia);
+      const Vec3d& x = p_.motion[ia].position;
+      if (c_.key[k].b >= wall_base) {
+        s.b[r] = walls_[ib].body;
+        s.b[r].part = c_.key[k].part;
+        s.offset[r] = world_.walls[ib].position - x;
+        // The plane's own origin may be far away: its foot below the body serves as well and keeps every digit.
+        if (bin.b == shapes::Kind::plane) s.offset[r] = walls_[ib].normal * dot(walls_[ib].normal, s.offset[r]);
+      } else {
+        s.b[r] = body_of(ib);
+        s.offset[r] = p_.motion[ib].position - x;
+      }
+      s.cache[r] = c_.cache[k];
+    }
+    bin.query(count, s.a, s.b, s.offset, {.overlap_only = true, .patch = true}, s.cache, s.answer);
+    Tally t;
+    t.queries = count;
+    LawChunk& l = s.law;
+    std::size_t n = 0;
+    for (std::size_t r = 0; r < count; ++r) {
+      const std::size_t k = records[r];
+      const contact::Contact& q = s.answer[r];
+      c_.cache[k] = s.cache[r];
+      if (q.status == contact::Status::not_converged) ++t.not_converged;
+      if (q.status == contact::Status::refused) ++t.not_converged;
+      if (!(q.gap < 0) || q.status == contact::Status::refused) {
+        forget(k, s);
+        continue;
+      }
+      if (!q.certified) ++t.uncertified;
+      gather(k, r, n, q, s);
+      s.record[n++] = static_cast<std::uint32_t>(k);
+    }
+    t.touching = n;
+    const bool patch = bin.a == shapes::Kind::polyhedron;
+    run_law(l, n, patch);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vec3d f = get(l.force, i), couple = patch ? get(l.couple, i) : Vec3d{};
+      store(i, s.record[i], l, cross(s.arm_a[i], f) + couple, -cross(s.arm_b[i], f) - couple, s);
+    }
+    return t;
+  }
+
+  // Kinematics of contact k, answered as q from entry r of the query, into lane n of the law chunk.
+  void gather(std::size_t k, std::size_t r, std::size_t n, const contact::Contact& q, Scratch& s) const {
+    const std::uint32_t ia = c_.index_a[k], ib = c_.index_b[k];
+    const Motion& a = p_.motion[ia];
+    LawChunk& l = s.law;
+    const Vec3d arm_a = q.patch.centre;
+    Vec3d velocity = a.velocity + cross(a.spin, arm_a), arm_b, spin_b;
+    double radius = a.equivalent_radius, w = inverse_mass(ia, s.a[r], arm_a, q.normal);
+    std::uint32_t material_b;
+    if (c_.key[k].b >= wall_base) {
+      const Wall& wall = world_.walls[ib];
+      arm_b = a.position + arm_a - wall.position;
+      spin_b = wall.spin;
+      velocity -= wall.velocity + cross(wall.spin, arm_b);
+      material_b = wall.material;
+    } else {
+      const Motion& b = p_.motion[ib];
+      arm_b = arm_a - s.offset[r];
+      spin_b = b.spin;
+      velocity -= b.velocity + cross(b.spin, arm_b);
+      radius = radius * b.equivalent_radius / (radius + b.equivalent_radius);
+      w += inverse_mass(ib, s.b[r], arm_b, q.normal);
+      material_b = p_.material[ib];
+    }
+    c_.centre[k] = arm_a;
+    l.overlap[n] = -q.gap;
+    put(l.normal, n, q.normal);
+    put(l.velocity, n, velocity);
+    l.turn[n] = 0.5 * dot(a.spin + spin_b, q.normal);
+    l.radius_eff[n] = radius;
+    l.mass_eff[n] = 1 / w;
+    put(l.relative_spin, n, a.spin - spin_b);
+    const double* m = q.patch.spread;
+    l.spread_xx[n] = m[0];
+    l.spread_yy[n] = m[1];
+    l.spread_zz[n] = m[2];
+    l.spread_xy[n] = m[3];
+    l.spread_xz[n] = m[4];
+    l.spread_yz[n] = m[5];
+    load_pair(n, k, p_.material[ia], material_b, l);
+    s.arm_a[n] = arm_a;
+    s.arm_b[n] = arm_b;
+  }
+
+  World& world_;
+  Contacts& c_;
+  const Particles& p_;
+  const KernelSet& set_;
+  double dt_;
+  bool rescale_ = true, hertz_ = true;
+  std::vector<WallFrame> walls_;
+};
+
+// Lists the touching records of both bodies of record k anew; the order stays that of the partners.
+void relist(Contacts& c, std::uint32_t k) {
+  const auto body = [&](std::uint32_t i) {
+    const std::uint32_t first = c.incidence_start[i];
+    std::uint32_t n = 0;
+    for (std::uint32_t e = first; e < c.incidence_start[i + 1]; ++e)
+      if (c.touching[c.incidence[e] >> 1] != 0) c.active[first + n++] = c.incidence[e];
+    c.active_count[i] = n;
+  };
+  body(c.index_a[k]);
+  if (c.key[k].b < wall_base) body(c.index_b[k]);
+}
+
+}  // namespace
+
+void compute_forces(World& world, int threads, double dt) {
+  const auto begin = std::chrono::steady_clock::now();
+  const ForcePass pass(world, dt);
+  struct Task {
+    const Bin* bin;
+    std::size_t first;
+  };
+  std::vector<Task> tasks;
+  for (const Bin& b : world.contacts.bins)
+    for (std::size_t i = 0; i < b.records.size(); i += chunk_size) tasks.push_back({&b, i});
+  Tally total;
+  std::vector<std::uint32_t> changed;
+#pragma omp parallel num_threads(threads)
+  {
+    static thread_local Scratch scratch;
+    Tally mine;
+#pragma omp for schedule(dynamic, 4)
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      const Tally t = pass.chunk(*tasks[i].bin, tasks[i].first, scratch);
+      mine.queries += t.queries;
+      mine.touching += t.touching;
+      mine.not_converged += t.not_converged;
+      mine.uncertified += t.uncertified;
+    }
+#pragma omp critical
+    {
+      total.queries += mine.queries;
+      total.touching += mine.touching;
+      total.not_converged += mine.not_converged;
+      total.uncertified += mine.uncertified;
+      changed.insert(changed.end(), scratch.changed.begin(), scratch.changed.end());
+      scratch.changed.clear();
+    }
+  }
+  for (const std::uint32_t k : changed) relist(world.contacts, k);
+  world.counters.queries += total.queries;
+  world.counters.contact_steps += total.touching;
+  world.counters.not_converged += total.not_converged;
+  world.counters.uncertified += total.uncertified;
+  world.times.query += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+void sum_forces(World& world, int threads) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Contacts& c = world.contacts;
+  Particles& p = world.particles;
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (std::size_t i = 0; i < p.count(); ++i) {
+    Vec3d force{}, torque{};
+    const std::uint32_t first = c.incidence_start[i];
+    for (std::uint32_t e = first; e < first + c.active_count[i]; ++e) {
+      const Slot& s = c.slot[c.active[e] >> 1];
+      const bool is_b = (c.active[e] & 1) != 0;
+      force += s.force * (is_b ? -1.0 : 1.0);
+      torque += is_b ? s.torque_b : s.torque_a;
+    }
+    p.force[i] = force;
+    p.torque[i] = torque;
+  }
+  for (Wall& w : world.walls) w.force = w.torque = {};
+  for (const std::uint32_t k : c.wall_records) {
+    if (c.touching[k] == 0) continue;
+    Wall& w = world.walls[c.index_b[k]];
+    w.force -= c.slot[k].force;
+    w.torque += c.slot[k].torque_b;
+  }
+  world.times.sum += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace dem

@@ -1,0 +1,42 @@
+// The particles: structures of arrays, stored near in memory what is near in space. Ids are persistent and never
+// reused; sums, hashes and files run in order of id (order_by_id), so nothing but speed depends on the order of
+// storage.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "shapes/math/quat.h"
+
+namespace dem {
+
+using shapes::Mat3d;
+using shapes::Quatd;
+using shapes::Vec3d;
+
+// What the contact kernels gather of a body: one and a half cache lines.
+struct Motion {
+  Vec3d position{};            // m
+  double bounding_radius{};    // m
+  Vec3d velocity{};            // m/s; at half steps between kick and drift, else at the time of the position
+  double inverse_mass{};       // 1/kg
+  Vec3d spin{};                // rad/s, world axes
+  double equivalent_radius{};  // m, of the sphere of equal volume
+};
+
+struct Particles {
+  std::vector<std::uint64_t> id;
+  std::vector<std::uint32_t> shape;     // index into World::shapes
+  std::vector<std::uint32_t> material;  // index into World::materials
+  std::vector<Vec3d> size;  // sphere (r, r, r), ellipsoid semi-axes, polyhedron (scale, scale, scale), m or –
+  std::vector<Motion> motion;
+  std::vector<Quatd> orientation;       // body -> world
+  std::vector<Vec3d> rotation;          // ∫ω dt, rad
+  std::vector<Vec3d> angular_momentum;  // kg m²/s, world axes
+  std::vector<Vec3d> inertia;           // principal, kg m²
+  std::vector<double> mass;             // kg
+  std::vector<Vec3d> force, torque;     // N, N m (gravity not included)
+  std::size_t count() const { return id.size(); }
+};
+
+}  // namespace dem

@@ -1,0 +1,118 @@
+// What a world says about itself: contacts, energies, momentum, hash.
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+
+#include "libdem/build.h"
+
+namespace dem {
+namespace {
+
+// Relative to a's centre. Sphere pairs and sphere–plane contacts do not keep it: theirs is midway in the overlap.
+Vec3d centre_of(const World& world, std::size_t k) {
+  const Contacts& c = world.contacts;
+  if (!c.centre.empty() && !(c.centre[k] == Vec3d{})) return c.centre[k];
+  return c.history[k].normal * (world.particles.motion[c.index_a[k]].bounding_radius - 0.5 * c.history[k].overlap);
+}
+
+std::vector<std::uint32_t> touching_by_key(const Contacts& c) {
+  std::vector<std::uint32_t> list;
+  for (std::size_t k = 0; k < c.count(); ++k)
+    if (c.touching[k] != 0) list.push_back(static_cast<std::uint32_t>(k));
+  std::sort(list.begin(), list.end(), [&](std::uint32_t a, std::uint32_t b) { return c.key[a] < c.key[b]; });
+  return list;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> order_by_id(const World& world) {
+  std::vector<std::uint32_t> order(world.particles.count());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return world.particles.id[a] < world.particles.id[b]; });
+  return order;
+}
+
+std::vector<ContactReport> touching_contacts(const World& world) {
+  const Contacts& c = world.contacts;
+  const Particles& p = world.particles;
+  std::vector<ContactReport> list;
+  for (const std::uint32_t k : touching_by_key(c)) {
+    ContactReport r;
+    r.wall = c.key[k].b >= wall_base;
+    r.a = p.id[c.index_a[k]];
+    r.b = r.wall ? c.index_b[k] : p.id[c.index_b[k]];
+    r.part = c.key[k].part;
+    r.overlap = c.history[k].overlap;
+    r.normal = c.history[k].normal;
+    r.point = p.motion[c.index_a[k]].position + centre_of(world, k);
+    r.force = c.slot[k].force;
+    r.tangential = r.force - r.normal * dot(r.normal, r.force);
+    list.push_back(r);
+  }
+  return list;
+}
+
+Energies energies(const World& world) {
+  const Particles& p = world.particles;
+  const Contacts& c = world.contacts;
+  Energies e;
+  for (const std::uint32_t i : order_by_id(world)) {
+    const Motion& m = p.motion[i];
+    e.translational += 0.5 * p.mass[i] * dot(m.velocity, m.velocity);
+    e.rotational += 0.5 * dot(m.spin, p.angular_momentum[i]);
+    e.potential -= p.mass[i] * dot(world.scene.gravity, m.position);
+  }
+  // Elastic energy of the normal springs and of the tangential ones at their present stiffness.
+  const double share = world.scene.law.name == LawName::hertz_mindlin ? 4.0 / 15.0 : 0.5;  // of kn δ²
+  for (const std::uint32_t k : touching_by_key(c)) {
+    const contact::History& h = c.history[k];
+    const Stiffness s = contact_stiffness(world, k);
+    e.elastic += share * s.n * h.overlap * h.overlap;
+    if (s.t > 0) e.elastic += 0.5 * dot(h.force_t, h.force_t) / s.t;
+  }
+  return e;
+}
+
+Vec3d momentum(const World& world) {
+  Vec3d sum{};
+  for (const std::uint32_t i : order_by_id(world)) sum += world.particles.motion[i].velocity * world.particles.mass[i];
+  return sum;
+}
+
+double contacts_per_particle(const World& world) {
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < world.contacts.count(); ++k)
+    n += world.contacts.touching[k] != 0 && world.contacts.key[k].b < wall_base ? 1 : 0;
+  return world.particles.count() > 0 ? static_cast<double>(n) / static_cast<double>(world.particles.count()) : 0;
+}
+
+// FNV-1a over ids, positions, orientations, velocities, spins, accumulated rotations in id order, then over the history
+// of touching contacts in key order.
+std::uint64_t state_hash(const World& world) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  const auto add = [&hash](const auto& value) {
+    unsigned char bytes[sizeof value];
+    std::memcpy(bytes, &value, sizeof value);
+    for (const unsigned char b : bytes) hash = (hash ^ b) * 0x100000001b3u;
+  };
+  const Particles& p = world.particles;
+  for (const std::uint32_t i : order_by_id(world)) {
+    add(p.id[i]);
+    add(p.motion[i].position);
+    add(p.orientation[i]);
+    add(p.motion[i].velocity);
+    add(p.motion[i].spin);
+    add(p.rotation[i]);
+  }
+  const Contacts& c = world.contacts;
+  for (const std::uint32_t k : touching_by_key(c)) {
+    add(c.key[k].a);
+    add(c.key[k].b);
+    add(c.key[k].part);
+    add(c.history[k]);
+  }
+  return hash;
+}
+
+}  // namespace dem

@@ -1,0 +1,131 @@
+#include "libdem/run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include "libdem/io/files.h"
+#include "libdem/io/io.h"
+#include "libdem/render/render.h"
+
+namespace dem {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+// An interval of time as whole steps, so that a resumed run meets the same steps; 0: never.
+std::uint64_t steps_between(double interval, double dt) {
+  constexpr double most = 0x1p53;
+  return interval > 0 ? static_cast<std::uint64_t>(std::clamp(std::round(interval / dt), 1.0, most)) : 0;
+}
+
+bool due(std::uint64_t step, std::uint64_t every) { return every > 0 && step % every == 0; }
+
+// Everything that a run writes while it goes.
+class Output {
+ public:
+  Output(const World& world, const RunOptions& options, bool resumed)
+      : options_(options),
+        frame_every_(steps_between(world.scene.output.interval, world.time_step.dt)),
+        checkpoint_every_(steps_between(world.scene.output.checkpoint_interval, world.time_step.dt)),
+        first_step_(world.step) {
+    fs::create_directories(options.folder);
+    if (!resumed) io::write_file(path("scene.toml"), scene_to_toml(world.scene));
+    const OutputSpec& what = world.scene.output;
+    if (what.vtk) vtk_.emplace(options.folder);
+    if (what.hdf5) record_.emplace(path("record.h5"), world, resumed && fs::exists(path("record.h5")));
+    if (resumed) {  // frames that the stopped run wrote after its last checkpoint will come again
+      if (vtk_) vtk_->truncate_after(world.step);
+      if (record_) record_->truncate_after(world.step);
+    } else {
+      frame(world);
+    }
+  }
+
+  bool due_now(std::uint64_t step) const { return due(step, frame_every_) || due(step, checkpoint_every_); }
+  // Frames come before the checkpoint of the same step: a resume then has every frame up to its checkpoint.
+  void write_due(const World& world) {
+    if (due(world.step, frame_every_)) frame(world);
+    if (due(world.step, checkpoint_every_)) checkpoint(world);
+  }
+  void checkpoint(const World& world) const { io::write_checkpoint(options_.folder, world.step, save_state(world)); }
+  void frame(const World& world) {
+    if (vtk_) vtk_->write(world);
+    if (record_) record_->write(world);
+  }
+  // The state as it is, whether the run reached its end or failed.
+  void state(const World& world) {
+    frame(world);
+    io::write_final_csv(path("final.csv"), world);
+    if (!world.scene.outlets.empty()) io::write_discharge_csv(path("discharge.csv"), world);
+  }
+  void picture(const World& world) const {
+    if (world.scene.output.picture && render::available())
+      render::write_png(path("final.png"), render::draw(world, render::View{}));
+  }
+  void summary(const World& world, const std::string& end) const {
+    io::write_summary(path("summary.json"), world, end, options_.threads, first_step_);
+  }
+
+ private:
+  std::string path(const char* name) const { return options_.folder + "/" + name; }
+
+  const RunOptions& options_;
+  std::uint64_t frame_every_, checkpoint_every_, first_step_;
+  std::optional<io::VtkSeries> vtk_;
+  std::optional<io::Record> record_;
+};
+
+// Adds the wall time of a piece of work to a sum.
+template <class Work>
+void timed(double& sum, Work&& work) {
+  const auto start = Clock::now();
+  work();
+  sum += seconds_since(start);
+}
+
+}  // namespace
+
+RunEnd run(World& world, const RunOptions& options, bool resumed) {
+  const std::uint64_t last = total_steps(world);
+  std::optional<Output> output;
+  timed(world.times.output, [&] { output.emplace(world, options, resumed); });
+  auto shown = Clock::now();
+  try {
+    while (world.step < last) {
+      if (options.interrupt && options.interrupt->load(std::memory_order_relaxed)) {
+        timed(world.times.output, [&] {
+          output->checkpoint(world);
+          output->summary(world, "interrupted");
+        });
+        return RunEnd::interrupted;
+      }
+      timed(world.times.loop, [&] { advance(world, options.threads); });
+      if (output->due_now(world.step)) timed(world.times.output, [&] { output->write_due(world); });
+      if (options.progress && seconds_since(shown) >= 0.1) {
+        options.progress(world);
+        shown = Clock::now();
+      }
+    }
+  } catch (const RunError& error) {
+    output->state(world);
+    output->summary(world, std::string("failed: ") + error.what());
+    throw;
+  }
+  if (options.progress) options.progress(world);
+  timed(world.times.output, [&] {
+    output->checkpoint(world);
+    output->state(world);
+    output->picture(world);
+  });
+  output->summary(world, "finished");  // the last file: where it says so, the run is complete
+  return RunEnd::finished;
+}
+
+}  // namespace dem

@@ -1,0 +1,103 @@
+// Shapes and walls of a scene: from their specification to geometry and mass.
+#include "libdem/build.h"
+#include "shapes/geometry.h"
+#include "shapes/mesh_build.h"
+#include "shapes/polyhedron_build.h"
+
+namespace dem {
+namespace {
+
+shapes::Polyhedron polyhedron_of(const ShapeSpec& s) {
+  using shapes::Platonic;
+  constexpr std::pair<const char*, Platonic> solids[] = {{"tetrahedron", Platonic::tetrahedron},
+                                                         {"cube", Platonic::cube},
+                                                         {"octahedron", Platonic::octahedron},
+                                                         {"dodecahedron", Platonic::dodecahedron},
+                                                         {"icosahedron", Platonic::icosahedron}};
+  if (s.kind == "box") return shapes::make_box(s.extents);
+  if (s.kind == "prism") return shapes::make_prism(s.sides, s.circumradius, s.height);
+  for (const auto& [name, solid] : solids)
+    if (s.kind == name) return shapes::make_platonic(solid, s.circumradius);
+  if (!s.file.empty()) return shapes::polyhedron_from_file(s.file, shapes::Frame::principal);
+  if (!s.half_spaces.empty()) {
+    std::vector<shapes::HalfSpace> planes;
+    for (const auto& h : s.half_spaces) planes.push_back({{h[0], h[1], h[2]}, h[3]});
+    return shapes::polyhedron_from_half_spaces(planes, shapes::Frame::principal);
+  }
+  return shapes::polyhedron_from_points(s.vertices, shapes::Frame::principal);
+}
+
+}  // namespace
+
+ShapeEntry make_shape(const ShapeSpec& s) {
+  ShapeEntry e;
+  e.name = s.name;
+  try {
+    if (s.kind == "sphere") {
+      const shapes::Sphere sphere{s.radius};
+      const auto m = shapes::mass_properties(sphere);
+      e.kind = shapes::Kind::sphere;
+      e.size = {s.radius, s.radius, s.radius};
+      e.volume = m.volume;
+      e.inertia = {m.inertia.row[0].x, m.inertia.row[1].y, m.inertia.row[2].z};
+      e.circumradius = e.inscribed_radius = e.equivalent_radius = s.radius;
+    } else if (s.kind == "ellipsoid") {
+      const shapes::Ellipsoid ellipsoid{s.semi_axes};
+      const auto m = shapes::mass_properties(ellipsoid);
+      e.kind = shapes::Kind::ellipsoid;
+      e.size = s.semi_axes;
+      e.volume = m.volume;
+      e.inertia = {m.inertia.row[0].x, m.inertia.row[1].y, m.inertia.row[2].z};
+      e.circumradius = shapes::circumradius(ellipsoid);
+      e.inscribed_radius = shapes::inscribed_radius(ellipsoid);
+      e.equivalent_radius = shapes::equivalent_radius(m.volume);
+    } else {
+      shapes::Polyhedron p = polyhedron_of(s);
+      if (s.diameter > 0) p = shapes::scaled(p, s.diameter / (2 * shapes::equivalent_radius(p.mass.volume)));
+      e.kind = shapes::Kind::polyhedron;
+      e.size = {1, 1, 1};
+      e.volume = p.mass.volume;
+      e.inertia = {p.mass.inertia.row[0].x, p.mass.inertia.row[1].y, p.mass.inertia.row[2].z};
+      e.circumradius = p.circumradius;
+      e.inscribed_radius = p.inscribed_radius;
+      e.equivalent_radius = shapes::equivalent_radius(e.volume);
+      e.polyhedron = std::make_shared<const shapes::Polyhedron>(std::move(p));
+    }
+  } catch (const shapes::Error& error) {
+    input_error(s.where, "shape \"" + s.name + "\": " + error.what());
+  }
+  return e;
+}
+
+Wall make_wall(const WallSpec& s, std::uint32_t material) {
+  Wall w;
+  w.name = s.name;
+  w.material = material;
+  w.motion = s;
+  if (s.kind == "plane") {
+    w.kind = shapes::Kind::plane;
+    w.reference = s.point;
+    // Orientation: the shortest turn of +z onto the normal.
+    const Vec3d n = shapes::normalized(s.normal * (1 / shapes::max_abs(s.normal)));
+    w.reference_orientation =
+        n.z > -0.5 ? shapes::normalized(Quatd{1 + n.z, -n.y, n.x, 0}) : shapes::normalized(Quatd{n.y, 1 - n.z, 0, n.x});
+    if (n.z <= -0.5 && n.x == 0 && n.y == 0) w.reference_orientation = {0, 1, 0, 0};
+  } else {
+    w.kind = shapes::Kind::mesh;
+    try {
+      std::vector<std::uint32_t> triangles;
+      for (const auto& t : s.triangles) triangles.insert(triangles.end(), t.begin(), t.end());
+      auto mesh =
+          s.file.empty() ? shapes::mesh_from_triangles(s.vertices, triangles) : shapes::mesh_from_file(s.file, s.scale);
+      w.mesh = std::make_shared<const shapes::Mesh>(std::move(mesh));
+    } catch (const shapes::Error& error) {
+      input_error(s.where, "wall \"" + s.name + "\": " + error.what());
+    }
+    for (const Vec3d& v : w.mesh->vertices) w.extent = std::max(w.extent, shapes::norm(v));
+  }
+  w.position = w.list_position = w.reference;
+  w.orientation = w.list_orientation = w.reference_orientation;
+  return w;
+}
+
+}  // namespace dem

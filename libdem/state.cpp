@@ -1,0 +1,150 @@
+// The state as bytes: what a checkpoint holds. One list of members, read and written by the same code.
+#include <bit>
+#include <cstring>
+
+#include "libdem/world.h"
+
+namespace dem {
+namespace {
+
+class Writer {
+ public:
+  template <class T>
+  void value(const T& v) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    const auto at = bytes.size();
+    bytes.resize(at + sizeof v);
+    std::memcpy(bytes.data() + at, &v, sizeof v);
+  }
+  template <class T>
+  void list(const std::vector<T>& v) {
+    value(static_cast<std::uint64_t>(v.size()));
+    const auto at = bytes.size();
+    bytes.resize(at + v.size() * sizeof(T));
+    if (!v.empty()) std::memcpy(bytes.data() + at, v.data(), v.size() * sizeof(T));
+  }
+  std::vector<std::uint8_t> bytes;
+};
+
+class Reader {
+ public:
+  explicit Reader(const std::vector<std::uint8_t>& b) : bytes_(b) {}
+  template <class T>
+  void value(T& v) {
+    need(sizeof v);
+    std::memcpy(&v, bytes_.data() + at_, sizeof v);
+    at_ += sizeof v;
+  }
+  template <class T>
+  void list(std::vector<T>& v) {
+    std::uint64_t n = 0;
+    value(n);
+    if (n > (bytes_.size() - at_) / sizeof(T)) throw RunError("checkpoint: shorter than its own lists");
+    v.resize(n);
+    if (n > 0) std::memcpy(v.data(), bytes_.data() + at_, n * sizeof(T));
+    at_ += n * sizeof(T);
+  }
+  void done() const {
+    if (at_ != bytes_.size()) throw RunError("checkpoint: longer than this scene's state");
+  }
+
+ private:
+  void need(std::size_t n) const {
+    if (bytes_.size() - at_ < n) throw RunError("checkpoint: shorter than this scene's state");
+  }
+  const std::vector<std::uint8_t>& bytes_;
+  std::size_t at_ = 0;
+};
+
+// A touching contact as it is kept.
+struct Kept {
+  Key key;
+  std::uint32_t a, b;
+  contact::History history;
+  Slot slot;
+  Vec3d centre;
+};
+
+struct WallState {
+  Vec3d position;
+  Quatd orientation;
+  Vec3d velocity, spin, force, torque;
+  std::uint64_t present;
+};
+
+template <class Archive, class W>
+void particles(Archive& a, W& world) {
+  auto& p = world.particles;
+  a.value(world.step);
+  a.value(world.next_id);
+  a.value(world.time_step.dt);
+  a.value(world.tightest_limit);
+  a.value(world.counters);
+  a.value(world.balance);
+  a.list(world.discharge);
+  a.list(p.id);
+  a.list(p.shape);
+  a.list(p.material);
+  a.list(p.size);
+  a.list(p.motion);
+  a.list(p.orientation);
+  a.list(p.rotation);
+  a.list(p.angular_momentum);
+  a.list(p.inertia);
+  a.list(p.mass);
+  a.list(p.force);
+  a.list(p.torque);
+  for (auto& o : world.outlets) {
+    a.value(o.count);
+    a.value(o.mass);
+  }
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> save_state(const World& world) {
+  Writer w;
+  particles(w, world);
+  for (const Wall& x : world.walls)
+    w.value(WallState{x.position, x.orientation, x.velocity, x.spin, x.force, x.torque, x.present ? 1u : 0u});
+  const Contacts& c = world.contacts;
+  std::vector<Kept> kept;
+  for (std::size_t k = 0; k < c.count(); ++k)
+    if (c.touching[k] != 0)
+      kept.push_back(
+          {c.key[k], c.index_a[k], c.index_b[k], c.history[k], c.slot[k], c.centre.empty() ? Vec3d{} : c.centre[k]});
+  w.list(kept);
+  return std::move(w.bytes);
+}
+
+void load_state(World& world, const std::vector<std::uint8_t>& bytes) {
+  Reader r(bytes);
+  particles(r, world);
+  for (Wall& x : world.walls) {
+    WallState s;
+    r.value(s);
+    x.position = s.position;
+    x.orientation = s.orientation;
+    x.velocity = s.velocity;
+    x.spin = s.spin;
+    x.force = s.force;
+    x.torque = s.torque;
+    x.present = s.present != 0;
+  }
+  std::vector<Kept> kept;
+  r.list(kept);
+  r.done();
+  // The touching contacts alone are a list that output can read; the next step makes the full one.
+  Contacts& c = world.contacts = {};
+  for (const Kept& k : kept) {
+    c.key.push_back(k.key);
+    c.index_a.push_back(k.a);
+    c.index_b.push_back(k.b);
+    c.history.push_back(k.history);
+    c.touching.push_back(1);
+    c.slot.push_back(k.slot);
+    c.centre.push_back(k.centre);
+  }
+}
+
+}  // namespace dem

@@ -1,0 +1,128 @@
+// One step of the loop: kick – drift – kick with positions, velocities and forces at the same time at its ends.
+//   v += ½ dt (F/m + g), L += ½ dt T;  x += dt v, q turns freely;  walls move;  contacts at the new positions with the
+//   half-step velocities give F, T;  v += ½ dt (F/m + g), L += ½ dt T
+// The order is second; forces are kept in the state, nothing is recomputed at a start.
+#include <chrono>
+#include <cmath>
+
+#include "libdem/broad_phase/candidates.h"
+#include "libdem/build.h"
+#include "libdem/forces.h"
+#include "libdem/integrators/rotation.h"
+#include "libdem/outlets.h"
+#include "libdem/walls.h"
+
+namespace dem {
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+void kick(World& world, std::size_t i, double h) {
+  Particles& p = world.particles;
+  Motion& m = p.motion[i];
+  m.velocity += (p.force[i] * m.inverse_mass + world.scene.gravity) * h;
+  p.angular_momentum[i] += p.torque[i] * h;
+}
+
+void set_spin(World& world, std::size_t i, bool sphere) {
+  Particles& p = world.particles;
+  p.motion[i].spin = sphere ? p.angular_momentum[i] * (1 / p.inertia[i].x)
+                            : spin_of(p.orientation[i], p.angular_momentum[i], p.inertia[i]);
+}
+
+bool is_sphere(const World& world, std::size_t i) {
+  return world.shapes[world.particles.shape[i]].kind == shapes::Kind::sphere;
+}
+
+void kick_and_drift(World& world, int threads, double dt) {
+  Particles& p = world.particles;
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (std::size_t i = 0; i < p.count(); ++i) {
+    const bool sphere = is_sphere(world, i);
+    kick(world, i, 0.5 * dt);
+    Motion& m = p.motion[i];
+    m.position += m.velocity * dt;
+    if (sphere) {
+      set_spin(world, i, true);
+      p.orientation[i] = rotated_uniformly(p.orientation[i], m.spin, dt);
+    } else {
+      p.orientation[i] = rotated_freely(p.orientation[i], p.angular_momentum[i], p.inertia[i], dt);
+      set_spin(world, i, false);
+    }
+    p.rotation[i] += m.spin * dt;
+  }
+}
+
+void kick_again(World& world, int threads, double dt) {
+  Particles& p = world.particles;
+  std::size_t bad = p.count();
+#pragma omp parallel for schedule(static) num_threads(threads) reduction(min : bad)
+  for (std::size_t i = 0; i < p.count(); ++i) {
+    kick(world, i, 0.5 * dt);
+    set_spin(world, i, is_sphere(world, i));
+    const Motion& m = p.motion[i];
+    const double probe = (m.position.x + m.position.y + m.position.z) + (m.velocity.x + m.velocity.y + m.velocity.z) +
+                         (m.spin.x + m.spin.y + m.spin.z);
+    if (!std::isfinite(probe) && i < bad) bad = i;
+  }
+  if (bad < p.count())
+    throw RunError(
+        "step " + std::to_string(world.step) + ": body " + std::to_string(p.id[bad]) +
+        " has a position or velocity that is not finite; the step is too long or the scene's numbers are wrong");
+}
+
+// ∫ (external forces) dt over the step, as the two kicks saw them.
+void book_impulse(World& world, double h) {
+  Vec3d f{};
+  for (const Wall& w : world.walls) f -= w.force;
+  f += world.scene.gravity * world.balance.present_mass;
+  for (int k = 0; k < 3; ++k) world.balance.impulse[static_cast<std::size_t>(k)].add(f[k] * h);
+}
+
+constexpr std::uint64_t monitor_every = 64;  // steps between looks at the actual stability limit
+
+void monitor(World& world) {
+  const Counters& n = world.counters;
+  const double doubtful = static_cast<double>(n.not_converged + n.uncertified);
+  if (doubtful > world.scene.run.max_uncertified_share * static_cast<double>(n.contact_steps) && doubtful > 100)
+    throw RunError("step " + std::to_string(world.step) + ": " + std::to_string(n.not_converged) +
+                   " contact queries did not converge and " + std::to_string(n.uncertified) +
+                   " were not certified, of " + std::to_string(n.contact_steps) + " contact-steps; allowed share: " +
+                   std::to_string(world.scene.run.max_uncertified_share) + " (contact.max_uncertified_share)");
+  const double limit = present_limit(world);
+  world.tightest_limit = std::min(world.tightest_limit, limit);
+  if (world.time_step.dt > limit)
+    throw RunError("step " + std::to_string(world.step) + ": run.dt = " + std::to_string(world.time_step.dt) +
+                   " s has passed the stability limit of the present contacts, " + std::to_string(limit) + " s");
+}
+
+}  // namespace
+
+void advance(World& world, int threads) {
+  const auto begin = std::chrono::steady_clock::now();
+  const double dt = world.time_step.dt;
+  book_impulse(world, 0.5 * dt);
+  kick_and_drift(world, threads, dt);
+  ++world.step;
+  world.times.integrate += seconds_since(begin);
+
+  const auto walls = std::chrono::steady_clock::now();
+  move_walls(world);
+  remove_behind_outlets(world);
+  world.times.walls += seconds_since(walls);
+
+  if (candidates_outdated(world)) rebuild_candidates(world, threads);
+  compute_forces(world, threads, dt);
+  sum_forces(world, threads);
+
+  const auto end = std::chrono::steady_clock::now();
+  kick_again(world, threads, dt);
+  book_impulse(world, 0.5 * dt);
+  if (world.step % monitor_every == 0) monitor(world);
+  world.times.integrate += seconds_since(end);
+  world.times.loop += seconds_since(begin);
+}
+
+}  // namespace dem

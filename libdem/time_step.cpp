@@ -1,0 +1,137 @@
+// Stability limits of the step (contract 4).
+//   one contact: ω² = largest eigenvalue of K^½ W K^½ ≤ max(kn wn, kt wt),  w = inverse mass of the contact point;
+//   limit = (2/ω)(sqrt(1+β²) − β) with a dashpot that sees half-step velocities                                   (1)
+//   many contacts: λmax ≤ max over contacts of (rows of a + rows of b), a weighted-graph bound (Anderson & Morley,
+//   1985)
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "libdem/build.h"
+
+namespace dem {
+namespace {
+
+struct Compliance {  // largest inverse masses of a body's surface points, 1/kg
+  double normal = 0, tangential = 0;
+};
+
+// A lever reaches at most the bounding radius (spheres: the normal passes through the centre).
+Compliance compliance(const World& world, std::size_t i) {
+  const Particles& p = world.particles;
+  const Motion& m = p.motion[i];
+  const Vec3d& inertia = p.inertia[i];
+  const double smallest = std::min({inertia.x, inertia.y, inertia.z}), r = m.bounding_radius;
+  const bool sphere = world.shapes[p.shape[i]].kind == shapes::Kind::sphere;
+  // Across the body's longest line the lever of a normal force is at most half the difference to the inscribed sphere.
+  const double inscribed = world.shapes[p.shape[i]].inscribed_radius * (r / world.shapes[p.shape[i]].circumradius);
+  const double arm2 = sphere ? 0 : r * r - inscribed * inscribed;
+  return {m.inverse_mass + arm2 / smallest, m.inverse_mass + r * r / smallest};
+}
+
+double limit_of(double omega_squared, double beta) {
+  return 2 / std::sqrt(omega_squared) * (std::sqrt(1 + beta * beta) - beta);
+}
+
+// β of the damping as the law applies it: cn = 2 β' sqrt(m* kn), with sqrt(5/6) for Hertz.
+double law_beta(const World& world, const PairParameters& q) {
+  return world.scene.law.name == LawName::hertz_mindlin ? q.damping * 0.91287092917527685 : q.damping;
+}
+
+// At an overlap; (9.7), (9.16) for Hertz–Mindlin.
+Stiffness stiffness_at(const World& world, const PairParameters& q, double radius_eff, double overlap) {
+  if (world.scene.law.name == LawName::spring_dashpot) return {q.stiffness_n, q.stiffness_t};
+  const double a = std::sqrt(radius_eff * overlap);
+  return {2 * q.young_eff * a, 8 * q.shear_eff * a};
+}
+
+}  // namespace
+
+Stiffness contact_stiffness(const World& world, std::size_t k) {
+  const Contacts& c = world.contacts;
+  const Particles& p = world.particles;
+  const bool wall = c.key[k].b >= wall_base;
+  const std::uint32_t a = c.index_a[k], b = c.index_b[k], mb = wall ? world.walls[b].material : p.material[b];
+  double radius = p.motion[a].equivalent_radius;
+  if (!wall) radius = radius * p.motion[b].equivalent_radius / (radius + p.motion[b].equivalent_radius);
+  return stiffness_at(world, world.pairs[p.material[a] * world.materials.size() + mb], radius, c.history[k].overlap);
+}
+
+TimeStep choose_time_step(const World& world) {
+  const Particles& p = world.particles;
+  const std::size_t materials = world.materials.size();
+  TimeStep best;
+  best.limit = std::numeric_limits<double>::infinity();
+  // Per kind of body (shape, material): its most compliant member stands for it.
+  struct Group {
+    std::uint32_t shape, material;
+    Compliance w;
+    double radius;
+  };
+  std::vector<Group> groups;
+  for (std::size_t i = 0; i < p.count(); ++i) {
+    const Compliance w = compliance(world, i);
+    const double radius = p.motion[i].equivalent_radius;
+    auto g = std::find_if(groups.begin(), groups.end(),
+                          [&](const Group& x) { return x.shape == p.shape[i] && x.material == p.material[i]; });
+    if (g == groups.end()) {
+      groups.push_back({p.shape[i], p.material[i], w, radius});
+    } else if (w.tangential > g->w.tangential) {
+      g->w = w;
+      g->radius = radius;
+    }
+  }
+  // The most compliant body with many contacts, each as stiff as its stiffest partner makes it.
+  const double rows = std::max(1.0, 0.5 * world.scene.run.dt_contacts);
+  const auto consider = [&](const Group& g, const Compliance& other, double radius_eff, double radius,
+                            const PairParameters& q, const std::string& partner) {
+    const Stiffness k = stiffness_at(world, q, radius_eff, world.scene.run.dt_overlap * radius);
+    const double normal = rows * k.n * (g.w.normal + other.normal);
+    const double tangential = q.friction > 0 ? rows * k.t * (g.w.tangential + other.tangential) : 0;
+    const double limit = limit_of(std::max(normal, tangential), law_beta(world, q));
+    if (!(limit < best.limit)) return;
+    best.limit = limit;
+    best.limited_by = "\"" + world.shapes[g.shape].name + "\" against " + partner +
+                      (tangential > normal ? ", tangential mode" : ", normal mode");
+  };
+  for (const Group& g : groups) {
+    for (const Group& o : groups)
+      consider(g, o.w, g.radius * o.radius / (g.radius + o.radius), std::min(g.radius, o.radius),
+               world.pairs[g.material * materials + o.material], "\"" + world.shapes[o.shape].name + "\"");
+    for (const Wall& wall : world.walls)
+      consider(g, {}, g.radius, g.radius, world.pairs[g.material * materials + wall.material],
+               "wall \"" + wall.name + "\"");
+  }
+  const RunSpec& run = world.scene.run;
+  best.dt = run.dt_auto ? run.dt_fraction * best.limit : run.dt;
+  if (run.dt_auto && !std::isfinite(best.dt)) best.dt = run.steps > 0 ? 0 : run.time / 100;  // nothing can touch
+  return best;
+}
+
+double present_limit(const World& world) {
+  const Contacts& c = world.contacts;
+  const Particles& p = world.particles;
+  std::vector<double> row(p.count());
+  double beta = 0;
+  const auto add = [&](const Stiffness& s, std::size_t i) {
+    const Compliance w = compliance(world, i);
+    row[i] += std::max(s.n * w.normal, s.t * w.tangential);
+  };
+  for (std::size_t k = 0; k < c.count(); ++k) {
+    if (c.touching[k] == 0) continue;
+    const Stiffness s = contact_stiffness(world, k);
+    add(s, c.index_a[k]);
+    const bool wall = c.key[k].b >= wall_base;
+    const std::uint32_t mb = wall ? world.walls[c.index_b[k]].material : p.material[c.index_b[k]];
+    if (!wall) add(s, c.index_b[k]);
+    beta = std::max(beta, law_beta(world, world.pairs[p.material[c.index_a[k]] * world.materials.size() + mb]));
+  }
+  double largest = 0;
+  for (std::size_t k = 0; k < c.count(); ++k) {
+    if (c.touching[k] == 0) continue;
+    largest = std::max(largest, row[c.index_a[k]] + (c.key[k].b < wall_base ? row[c.index_b[k]] : 0));
+  }
+  return largest > 0 ? limit_of(largest, beta) : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace dem

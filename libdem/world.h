@@ -1,0 +1,153 @@
+// The world: everything that a step reads and writes, and that a checkpoint holds.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "libcontact/contact.h"
+#include "libdem/contacts.h"
+#include "libdem/particles.h"
+#include "libdem/scene/scene.h"
+
+namespace dem {
+
+struct ShapeEntry {  // a named shape of the scene, at scale 1
+  std::string name;
+  shapes::Kind kind = shapes::Kind::sphere;
+  std::shared_ptr<const shapes::Polyhedron> polyhedron;  // kind polyhedron only
+  Vec3d size{};                                          // sphere (r, r, r), ellipsoid semi-axes, polyhedron (1, 1, 1)
+  double volume = 0;                                     // m³
+  double equivalent_radius = 0;                          // m
+  Vec3d inertia{};                                       // principal, per unit density, m⁵
+  double circumradius = 0, inscribed_radius = 0;         // m
+};
+
+struct Wall {
+  std::string name;
+  shapes::Kind kind = shapes::Kind::plane;
+  std::uint32_t material = 0;
+  std::shared_ptr<const shapes::Mesh> mesh;
+  WallSpec motion;           // prescribed motion
+  Vec3d position{};          // of its origin, m (mesh: body frame origin; plane: a point on it)
+  Quatd orientation{};       // body -> world
+  Vec3d velocity{}, spin{};  // of its origin, m/s; rad/s
+  Vec3d reference{};         // position at t = 0
+  Quatd reference_orientation{};
+  bool present = true;
+  double extent = 0;      // m, largest distance of a mesh vertex from the origin
+  Vec3d list_position{};  // at the last rebuild of the list
+  Quatd list_orientation{};
+  Vec3d force{}, torque{};  // of the particles on the wall, this step: N, N m about its origin
+};
+
+// A sum that carries its rounding error (Neumaier): totals over 10⁸ terms keep 15 digits.
+struct Accumulator {
+  double sum = 0, carry = 0;
+  void add(double v) {
+    const double t = sum + v;
+    const bool big = (sum < 0 ? -sum : sum) >= (v < 0 ? -v : v);
+    carry += big ? (sum - t) + v : (v - t) + sum;
+    sum = t;
+  }
+  double value() const { return sum + carry; }
+};
+
+struct Counters {
+  std::uint64_t rebuilds = 0, candidates = 0, queries = 0, contact_steps = 0, not_converged = 0, uncertified = 0;
+  std::uint64_t deleted = 0, inserted = 0;
+};
+
+struct Balance {                                // momentum and energy book-keeping over the whole run
+  std::array<Accumulator, 3> impulse;           // ∫(external forces) dt: gravity and walls, N s
+  std::array<Accumulator, 3> removed_momentum;  // carried out by deleted bodies, kg m/s
+  std::array<double, 3> initial_momentum{};
+  double removed_mass = 0, initial_mass = 0, present_mass = 0;  // kg
+};
+
+struct OutletRecord {
+  std::string name;
+  std::uint64_t count = 0;
+  double mass = 0;  // kg
+};
+
+struct DischargePoint {
+  double time;
+  std::uint64_t count;
+  double mass;
+};
+
+struct PhaseTimes {  // wall seconds
+  double broad = 0, query = 0, law = 0, sum = 0, integrate = 0, walls = 0, output = 0, loop = 0;
+};
+
+struct TimeStep {          // how dt was found (contract 4)
+  double dt = 0;           // s
+  double limit = 0;        // s, the smallest stability limit
+  std::string limited_by;  // one clause: which pair of kinds and which mode
+};
+
+struct World {
+  Scene scene;
+  std::vector<ShapeEntry> shapes;
+  std::vector<Material> materials;
+  std::vector<PairParameters> pairs;  // materials², row-major: how i meets j
+  Particles particles;
+  std::vector<Wall> walls;
+  Contacts contacts;
+  TimeStep time_step;
+  double skin = 0;                                                  // m
+  double tightest_limit = std::numeric_limits<double>::infinity();  // s, seen by the monitor of the time step
+  std::uint64_t step = 0;
+  std::uint64_t next_id = 0;
+  Counters counters;
+  Balance balance;
+  std::vector<OutletRecord> outlets;
+  std::vector<DischargePoint> discharge;  // one entry each time the count changes
+  PhaseTimes times;                       // not part of the state
+  double time() const { return static_cast<double>(step) * time_step.dt; }
+};
+
+// Builds the world of a scene: shapes, masses, bodies, walls, dt. Throws InputError (bad mesh, initial overlap, …).
+World build_world(const Scene& scene);
+// The number of steps that run.time or run.steps asks for.
+std::uint64_t total_steps(const World& world);
+// Advances by one step. threads >= 1. Throws RunError when a monitored bound is passed (contract 4, 9) or a value is
+// not finite.
+void advance(World& world, int threads);
+
+struct RunError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// A touching contact as output sees it.
+struct ContactReport {
+  std::uint64_t a, b;  // ids; b = wall index when wall
+  bool wall;
+  std::uint32_t part;
+  double overlap;       // m
+  Vec3d normal, point;  // point in world coordinates, m
+  Vec3d force;          // on a, N
+  Vec3d tangential;     // its tangential part, N
+};
+std::vector<ContactReport> touching_contacts(const World& world);
+
+// Storage indices of the particles in order of id.
+std::vector<std::uint32_t> order_by_id(const World& world);
+
+struct Energies {  // J
+  double translational = 0, rotational = 0, potential = 0, elastic = 0;
+};
+Energies energies(const World& world);
+Vec3d momentum(const World& world);                // kg m/s
+double contacts_per_particle(const World& world);  // touching pairs without walls, divided by particles
+std::uint64_t state_hash(const World& world);
+
+// Everything that a resume needs, as bytes; load_state goes into a world freshly built from the same scene.
+std::vector<std::uint8_t> save_state(const World& world);
+void load_state(World& world, const std::vector<std::uint8_t>& bytes);
+
+}  // namespace dem
