@@ -1,0 +1,21 @@
+// Files that are either whole or not there: written aside, then renamed.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace dem::io {
+
+// How far a file must have come when the call returns.
+enum class Durability {
+  renamed,  // whole for every reader, though a power cut may lose it
+  synced,   // also on the disk, and so is its name
+};
+
+// Replaces `path` by the bytes; RunError with the path and the system's reason when that fails.
+void write_file(const std::string& path, std::span<const std::uint8_t> bytes, Durability durability);
+void write_file(const std::string& path, std::string_view text);
+
+}  // namespace dem::io

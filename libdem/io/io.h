@@ -1,0 +1,92 @@
+// Files of a run's folder. Every writer takes the world as it is and never changes it: asking for output never changes
+// a run.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "libdem/world.h"
+
+namespace dem::io {
+
+inline constexpr const char* version = "0.1.0";  // of the program, as written into records and summaries
+
+// final.csv: id, shape, material, x, y, z, qw, qx, qy, qz, vx, vy, vz, wx, wy, wz; 17 digits.
+void write_final_csv(const std::string& path, const World& world);
+// summary.json: see libdem/io/summary.cpp for the keys. `first_step` is where this process began (a resume does not
+// begin at 0): world.times, and with it particle_steps_per_s, covers the steps since then.
+void write_summary(const std::string& path, const World& world, const std::string& end, int threads,
+                   std::uint64_t first_step = 0);
+// discharge.csv: time, count, mass.
+void write_discharge_csv(const std::string& path, const World& world);
+
+// frames.pvd and frames/*.vtp: spheres and ellipsoids as points (radius, tensor), polyhedra as polygons, contacts as
+// lines, walls as polygons. File names carry the step; empty pieces are left out. Coordinates of points and tensors are
+// double, everything else single precision: the exact numbers are in the record.
+class VtkSeries {
+ public:
+  explicit VtkSeries(std::string folder);   // goes on with the frames.pvd that the folder holds, if any
+  void write(const World& world);           // one frame at world.time(); replaces a frame of the same step
+  void truncate_after(std::uint64_t step);  // a resume drops later frames
+
+ private:
+  struct Frame {
+    std::uint64_t step;
+    std::string time;                // s, 17 digits
+    std::vector<std::size_t> parts;  // which pieces it has
+  };
+  void write_index() const;
+  std::string file_of(std::size_t part, std::uint64_t step) const;
+  std::string folder_;
+  std::vector<Frame> frames_;  // in order of steps
+};
+
+// record.h5: one group per frame, /frames/<step>: id, shape, material, size, position, orientation, velocity, spin,
+// rotation; walls; contacts with force and history. Root attributes: scene text, version, seed. append never rewrites
+// earlier frames. The file is closed after each frame, so a killed run leaves a readable record.
+class Record {
+ public:
+  Record(const std::string& path, const World& world, bool append);
+  void write(const World& world);
+  void truncate_after(std::uint64_t step);
+
+ private:
+  std::string path_;
+};
+
+// Frames of a record, in order of steps; RunError when the file is not a record.
+int frame_count(const std::string& record_path);
+// Puts frame 0 … frame_count − 1 into a world built from the same scene: step, particles (as many as the frame has),
+// poses of walls, touching contacts (key, force, centre, history). A picture or an analysis may follow; a run goes
+// on from a checkpoint only.
+void load_frame(const std::string& record_path, World& world, int frame);
+
+// checkpoint files: written aside, synced, renamed; two kept (checkpoint-<step>.bin); magic, version, length, checksum.
+void write_checkpoint(const std::string& folder, std::uint64_t step, const std::vector<std::uint8_t>& state);
+// The newest intact checkpoint of a folder, if any; damaged ones are passed over.
+struct Checkpoint {
+  std::uint64_t step;
+  std::vector<std::uint8_t> state;
+};
+std::optional<Checkpoint> read_last_checkpoint(const std::string& folder);
+
+// CSV or CSV.gz: `#` comment lines, a header line, rows; cells are trimmed, quotes are refused. Throws InputError with
+// file:line:column for a row of the wrong length, an empty or repeated column name, a file that cannot be read.
+struct Table {
+  std::string path;
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;
+  std::vector<int> lines;                   // line number of each row
+  std::vector<std::vector<int>> positions;  // column in its line, from 1, of each cell
+  int header_line = 0;
+};
+Table read_csv(const std::string& path);
+// Index of a named column; InputError that lists the columns there are when it is missing.
+std::size_t column(const Table& table, const std::string& name);
+std::optional<std::size_t> find_column(const Table& table, const std::string& name);
+// The cell as a finite number; InputError with file:line:column for anything else (`0.01x`, nan, inf, nothing).
+double number(const Table& table, std::size_t row, std::size_t column);
+
+}  // namespace dem::io

@@ -1,0 +1,122 @@
+// summary.json: what a run did, in one page. Keys: title, version, end, steps, time, dt, dt_limit, dt_limited_by,
+// threads, particles, particle_steps_per_s, seconds, contacts_per_particle, counters, energies, momentum,
+// momentum_balance, mass_balance, outlets, walls, state_hash. SI units.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "libdem/io/files.h"
+#include "libdem/io/io.h"
+
+namespace dem::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json list(const Vec3d& v) { return {v.x, v.y, v.z}; }
+Vec3d value(const std::array<Accumulator, 3>& a) { return {a[0].value(), a[1].value(), a[2].value()}; }
+
+// Particles × steps since first_step. A particle that left counts up to the step at which it left, so a silo that
+// emptied itself is not rated by the few particles that remain.
+double particle_steps(const World& world, std::uint64_t first_step) {
+  const double first = static_cast<double>(first_step);
+  double sum = static_cast<double>(world.particles.count()) * (static_cast<double>(world.step) - first);
+  std::uint64_t before = 0;
+  for (const DischargePoint& d : world.discharge) {
+    const double left = std::round(d.time / world.time_step.dt);
+    sum += static_cast<double>(d.count - before) * std::max(left - first, 0.0);
+    before = d.count;
+  }
+  return sum;
+}
+
+double total_mass(const World& world) {
+  Accumulator mass;
+  for (const std::uint32_t i : order_by_id(world)) mass.add(world.particles.mass[i]);
+  return mass.value();
+}
+
+// p + p_removed − p_initial = ∫F dt over the run. The error is relative to the largest momentum in play: any term of
+// the balance, Σ m|v|, or the impulse of the weight (which a bed at rest takes up without moving).
+Json momentum_balance(const World& world, double mass) {
+  const auto& start = world.balance.initial_momentum;
+  const Vec3d initial{start[0], start[1], start[2]};
+  const Vec3d impulse = value(world.balance.impulse), removed = value(world.balance.removed_momentum);
+  const Vec3d current = momentum(world);
+  Accumulator moving;
+  for (const std::uint32_t i : order_by_id(world))
+    moving.add(world.particles.mass[i] * norm(world.particles.motion[i].velocity));
+  const double scale = std::max({norm(initial), norm(impulse), norm(removed), norm(current), moving.value(),
+                                 mass * norm(world.scene.gravity) * world.time()});
+  const double difference = norm(current + removed - initial - impulse);
+  return {{"initial", list(initial)}, {"impulse", list(impulse)},
+          {"removed", list(removed)}, {"current", list(current)},
+          {"scale", scale},           {"relative_error", scale > 0 ? difference / scale : 0.0}};
+}
+
+Json mass_balance(const World& world, double mass) {
+  const Balance& b = world.balance;
+  const std::size_t present = world.particles.count();
+  const double difference = std::abs(mass + b.removed_mass - b.initial_mass);
+  return {{"initial", b.initial_mass},
+          {"present", mass},
+          {"removed", b.removed_mass},
+          {"relative_error", b.initial_mass > 0 ? difference / b.initial_mass : 0.0},
+          {"initial_count", present + world.counters.deleted},
+          {"present_count", present},
+          {"removed_count", world.counters.deleted}};
+}
+
+}  // namespace
+
+void write_summary(const std::string& path, const World& world, const std::string& end, int threads,
+                   std::uint64_t first_step) {
+  const double mass = total_mass(world);
+  const PhaseTimes& t = world.times;
+  const Counters& c = world.counters;
+  const Energies e = energies(world);
+
+  Json summary;
+  summary["title"] = world.scene.title;
+  summary["version"] = version;
+  summary["end"] = end;
+  summary["steps"] = world.step;
+  summary["time"] = world.time();
+  summary["dt"] = world.time_step.dt;
+  summary["dt_limit"] = world.time_step.limit;
+  summary["dt_limited_by"] = world.time_step.limited_by;
+  summary["threads"] = threads;
+  summary["particles"] = world.particles.count();
+  summary["particle_steps_per_s"] = t.loop > 0 ? particle_steps(world, first_step) / t.loop : 0.0;
+  summary["seconds"] = {{"broad_phase", t.broad},   {"query", t.query}, {"law", t.law},       {"sum", t.sum},
+                        {"integrate", t.integrate}, {"walls", t.walls}, {"output", t.output}, {"loop", t.loop}};
+  summary["contacts_per_particle"] = contacts_per_particle(world);
+  summary["counters"] = {{"rebuilds", c.rebuilds},
+                         {"candidates", c.candidates},
+                         {"queries", c.queries},
+                         {"contact_steps", c.contact_steps},
+                         {"not_converged", c.not_converged},
+                         {"uncertified", c.uncertified},
+                         {"deleted", c.deleted},
+                         {"inserted", c.inserted}};
+  summary["energies"] = {{"translational", e.translational},
+                         {"rotational", e.rotational},
+                         {"potential", e.potential},
+                         {"elastic", e.elastic}};
+  summary["momentum"] = list(momentum(world));
+  summary["momentum_balance"] = momentum_balance(world, mass);
+  summary["mass_balance"] = mass_balance(world, mass);
+  summary["outlets"] = Json::array();
+  for (const OutletRecord& o : world.outlets)
+    summary["outlets"].push_back({{"name", o.name}, {"count", o.count}, {"mass", o.mass}});
+  summary["walls"] = Json::array();
+  for (const Wall& w : world.walls)
+    summary["walls"].push_back({{"name", w.name}, {"force", list(w.force)}, {"torque", list(w.torque)}});
+  summary["state_hash"] = fmt::format("{:016x}", state_hash(world));
+  write_file(path, summary.dump(2) + "\n");
+}
+
+}  // namespace dem::io

@@ -1,0 +1,166 @@
+#include "libdem/io/vtk_pieces.h"
+
+#include <algorithm>
+
+#include "libdem/io/surfaces.h"
+#include "libdem/io/vtp.h"
+
+namespace dem::io {
+
+namespace {
+
+template <class T, std::size_t N>
+void append(std::vector<T>& values, const std::array<double, N>& more) {
+  for (const double v : more) values.push_back(static_cast<T>(v));
+}
+std::array<double, 3> list(const Vec3d& v) { return {v.x, v.y, v.z}; }
+
+std::int32_t index32(std::size_t i) { return static_cast<std::int32_t>(i); }
+
+bool is_polyhedron(const World& world, std::size_t i) {
+  return world.shapes[world.particles.shape[i]].kind == shapes::Kind::polyhedron;
+}
+
+}  // namespace
+
+bool write_rounds(const std::string& path, const World& world) {
+  const Particles& p = world.particles;
+  std::vector<Vec3d> points;
+  std::vector<std::int64_t> id;
+  std::vector<std::int32_t> shape, material, connectivity, ends;
+  std::vector<float> radius, velocity, spin, quaternion;
+  std::vector<double> tensor;
+  for (const std::uint32_t i : order_by_id(world)) {
+    if (is_polyhedron(world, i)) continue;
+    const Motion& m = p.motion[i];
+    const Quatd& q = p.orientation[i];
+    connectivity.push_back(index32(points.size()));
+    points.push_back(m.position);
+    ends.push_back(index32(points.size()));
+    id.push_back(static_cast<std::int64_t>(p.id[i]));
+    shape.push_back(index32(p.shape[i]));
+    material.push_back(index32(p.material[i]));
+    radius.push_back(static_cast<float>(m.equivalent_radius));
+    append(velocity, list(m.velocity));
+    append(spin, list(m.spin));
+    append(quaternion, std::array<double, 4>{q.w, q.x, q.y, q.z});
+    const Mat3d r = rotation_matrix(q);
+    const Mat3d t = r * Mat3d::diagonal(p.size[i]) * transposed(r);
+    for (const Vec3d& row : t.row) append(tensor, list(row));
+  }
+  if (points.empty()) return false;
+  Vtp file;
+  file.set_points(points, true);
+  file.set_cells(Vtp::Cells::vertices, connectivity, ends);
+  file.add_point_array("id", 1, id);
+  file.add_point_array("shape", 1, shape);
+  file.add_point_array("material", 1, material);
+  file.add_point_array("radius", 1, radius);
+  file.add_point_array("velocity", 3, velocity);
+  file.add_point_array("spin", 3, spin);
+  file.add_point_array("quaternion", 4, quaternion);
+  file.add_point_array("tensor", 9, tensor);
+  file.write(path);
+  return true;
+}
+
+bool write_polyhedra(const std::string& path, const World& world) {
+  const Particles& p = world.particles;
+  std::vector<Vec3d> points;
+  std::vector<std::int64_t> particle;
+  std::vector<std::int32_t> shape, material, connectivity, ends;
+  std::vector<float> speed;
+  for (const std::uint32_t i : order_by_id(world)) {
+    if (!is_polyhedron(world, i)) continue;
+    const shapes::Polyhedron& body = *world.shapes[p.shape[i]].polyhedron;
+    const Mat3d r = rotation_matrix(p.orientation[i]);
+    const std::size_t base = points.size();
+    for (const Vec3d& v : body.vertices) points.push_back(p.motion[i].position + r * scaled(p.size[i], v));
+    for (const auto& face : body.faces) {
+      for (std::uint32_t k = 0; k < face.count; ++k)
+        connectivity.push_back(index32(base + body.face_vertices[face.first + k]));
+      ends.push_back(index32(connectivity.size()));
+      particle.push_back(static_cast<std::int64_t>(p.id[i]));
+      shape.push_back(index32(p.shape[i]));
+      material.push_back(index32(p.material[i]));
+      speed.push_back(static_cast<float>(norm(p.motion[i].velocity)));
+    }
+  }
+  if (points.empty()) return false;
+  Vtp file;
+  file.set_points(points, false);
+  file.set_cells(Vtp::Cells::polygons, connectivity, ends);
+  file.add_cell_array("particle", 1, particle);
+  file.add_cell_array("shape", 1, shape);
+  file.add_cell_array("material", 1, material);
+  file.add_cell_array("speed", 1, speed);
+  file.write(path);
+  return true;
+}
+
+bool write_contacts(const std::string& path, const World& world) {
+  const Particles& p = world.particles;
+  const std::vector<std::uint32_t> order = order_by_id(world);
+  const auto position = [&](std::uint64_t id) {
+    const auto before = [&](std::uint32_t i, std::uint64_t wanted) { return p.id[i] < wanted; };
+    return p.motion[*std::lower_bound(order.begin(), order.end(), id, before)].position;
+  };
+  std::vector<Vec3d> points;
+  std::vector<std::int64_t> a, b;
+  std::vector<std::int32_t> connectivity, ends;
+  std::vector<float> force, magnitude, tangential, normal, overlap, at;
+  for (const ContactReport& c : touching_contacts(world)) {
+    points.push_back(position(c.a));
+    points.push_back(c.wall ? c.point : position(c.b));
+    connectivity.push_back(index32(points.size() - 2));
+    connectivity.push_back(index32(points.size() - 1));
+    ends.push_back(index32(points.size()));
+    a.push_back(static_cast<std::int64_t>(c.a));
+    b.push_back(c.wall ? -1 - static_cast<std::int64_t>(c.b) : static_cast<std::int64_t>(c.b));
+    append(force, list(c.force));
+    magnitude.push_back(static_cast<float>(norm(c.force)));
+    append(tangential, list(c.tangential));
+    append(normal, list(c.normal));
+    overlap.push_back(static_cast<float>(c.overlap));
+    append(at, list(c.point));
+  }
+  if (points.empty()) return false;
+  Vtp file;
+  file.set_points(points, false);
+  file.set_cells(Vtp::Cells::lines, connectivity, ends);
+  file.add_cell_array("a", 1, a);
+  file.add_cell_array("b", 1, b);
+  file.add_cell_array("force", 3, force);
+  file.add_cell_array("force_magnitude", 1, magnitude);
+  file.add_cell_array("tangential", 3, tangential);
+  file.add_cell_array("normal", 3, normal);
+  file.add_cell_array("overlap", 1, overlap);
+  file.add_cell_array("point", 3, at);
+  file.write(path);
+  return true;
+}
+
+bool write_walls(const std::string& path, const World& world) {
+  std::vector<Vec3d> points;
+  std::vector<std::int32_t> connectivity, ends, wall, material;
+  for (const WallSurface& s : wall_surfaces(world, scene_box(world))) {
+    const std::size_t base = points.size(), first = connectivity.size();
+    points.insert(points.end(), s.vertices.begin(), s.vertices.end());
+    for (const std::uint32_t c : s.corners) connectivity.push_back(index32(base + c));
+    for (const std::uint32_t e : s.ends) {
+      ends.push_back(index32(first + e));
+      wall.push_back(index32(s.wall));
+      material.push_back(index32(world.walls[s.wall].material));
+    }
+  }
+  if (points.empty()) return false;
+  Vtp file;
+  file.set_points(points, false);
+  file.set_cells(Vtp::Cells::polygons, connectivity, ends);
+  file.add_cell_array("wall", 1, wall);
+  file.add_cell_array("material", 1, material);
+  file.write(path);
+  return true;
+}
+
+}  // namespace dem::io

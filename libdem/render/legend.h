@@ -1,0 +1,16 @@
+// The key of a picture's colours, drawn into its right margin.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "libdem/render/render.h"
+
+namespace dem::render {
+
+// Bar from range.lower to range.upper; `clipped` when larger values exist and have the last colour.
+void draw_bar(Image& image, const std::string& label, const Range& range, bool clipped);
+// A square and a name for each category.
+void draw_categories(Image& image, const std::string& label, const std::vector<std::string>& names);
+
+}  // namespace dem::render

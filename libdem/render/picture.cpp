@@ -1,0 +1,112 @@
+// From a world to what is drawn, and the files of pictures.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <png.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "libdem/io/files.h"
+#include "libdem/render/render.h"
+
+namespace dem::render {
+
+namespace {
+
+// Sum of the magnitudes of the contact forces on each particle, N: the force chains show.
+std::vector<double> contact_load(const World& world) {
+  std::vector<double> load(world.particles.count(), 0.0);
+  const Contacts& c = world.contacts;
+  for (std::size_t i = 0; i < c.key.size(); ++i) {
+    if (!c.touching[i]) continue;
+    const double f = norm(c.slot[i].force);
+    load[c.index_a[i]] += f;
+    if (c.key[i].b < wall_base) load[c.index_b[i]] += f;
+  }
+  return load;
+}
+
+template <class Entries>
+std::vector<std::string> names_of(const Entries& entries) {
+  std::vector<std::string> names;
+  for (const auto& e : entries) names.push_back(e.name);
+  return names;
+}
+
+}  // namespace
+
+const std::vector<std::string>& color_names() {
+  static const std::vector<std::string> names{"speed", "id", "shape", "size", "material", "force"};
+  return names;
+}
+
+Picture picture_of(const World& world, const View& view) {
+  const auto& known = color_names();
+  if (std::find(known.begin(), known.end(), view.color_by) == known.end())
+    throw RunError(fmt::format("unknown colour '{}'; known: {}", view.color_by, fmt::join(known, ", ")));
+  const std::string& by = view.color_by;
+  const Particles& p = world.particles;
+  Picture picture;
+  const double g = norm(world.scene.gravity);
+  if (g > 0) picture.up = world.scene.gravity * (-1 / g);
+  picture.walls = io::wall_surfaces(world, view.box ? *view.box : picture_box(world));
+  if (by == "shape") picture.names = names_of(world.shapes);
+  if (by == "material") picture.names = names_of(world.scene.materials);
+  picture.label = by == "speed"   ? "speed (m/s)"
+                  : by == "size"  ? "diameter (m)"
+                  : by == "force" ? "contact forces (N)"
+                                  : by;
+  const std::vector<double> load = by == "force" ? contact_load(world) : std::vector<double>{};
+  for (const std::uint32_t i : order_by_id(world)) {
+    const ShapeEntry& shape = world.shapes[p.shape[i]];
+    const double value = by == "speed"      ? norm(p.motion[i].velocity)
+                         : by == "id"       ? static_cast<double>(p.id[i])
+                         : by == "shape"    ? p.shape[i]
+                         : by == "size"     ? 2 * p.motion[i].equivalent_radius
+                         : by == "material" ? p.material[i]
+                                            : load[i];
+    picture.bodies.push_back(
+        {shape.kind, shape.polyhedron.get(), p.size[i], p.motion[i].position, p.orientation[i], value});
+  }
+  return picture;
+}
+
+io::Box picture_box(const World& world) {
+  const io::Box particles = io::particle_box(world);
+  io::Box all = particles;
+  for (const io::WallSurface& s : io::wall_surfaces(world, io::scene_box(world)))
+    if (!s.half_space)
+      for (const Vec3d& v : s.vertices) all.add(v);
+  if (particles.empty) return all.empty ? io::scene_box(world) : all;
+  return all.radius() <= 4 * particles.radius() ? all : particles;
+}
+
+Image draw(const World& world, const View& view) {
+  View framed = view;
+  if (!framed.box) framed.box = picture_box(world);
+  return draw(picture_of(world, framed), framed);
+}
+
+void write_png(const std::string& path, const Image& image) {
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  header.width = static_cast<png_uint_32>(image.width);
+  header.height = static_cast<png_uint_32>(image.height);
+  header.format = PNG_FORMAT_RGB;
+  png_alloc_size_t size = 0;
+  const auto encode = [&](void* to) {
+    return png_image_write_to_memory(&header, to, &size, 0, image.rgb.data(), 0, nullptr);
+  };
+  std::vector<std::uint8_t> bytes;
+  if (encode(nullptr) != 0) {
+    bytes.resize(size);
+    if (encode(bytes.data()) != 0) {
+      bytes.resize(size);
+      io::write_file(path, bytes, io::Durability::renamed);
+      return;
+    }
+  }
+  throw RunError("cannot encode the picture " + path + ": " + header.message);
+}
+
+}  // namespace dem::render

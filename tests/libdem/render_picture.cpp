@@ -1,0 +1,117 @@
+// Pictures: exact silhouettes, same bytes, something to see.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <numbers>
+#include <set>
+
+#include "libdem/render/render.h"
+#include "tests/libdem/io_world.h"
+
+namespace {
+
+using dem::render::Image;
+using dem::render::View;
+
+#define NEEDS_EMBREE \
+  if (!dem::render::available()) GTEST_SKIP() << "built without Embree"
+
+std::uint32_t pixel(const Image& image, std::size_t i) {
+  return static_cast<std::uint32_t>(image.rgb[3 * i] << 16 | image.rgb[3 * i + 1] << 8 | image.rgb[3 * i + 2]);
+}
+constexpr std::uint32_t white = 0xffffff;
+
+std::size_t pixel_count(const Image& image) {
+  return static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+}
+
+TEST(RenderPicture, ShowsColoursAndIsTheSameEveryTime) {
+  NEEDS_EMBREE;
+  const dem::World world = dem::io_test::small_world();
+  View view;
+  view.width = 160;
+  view.height = 120;
+  for (const std::string& by : dem::render::color_names()) {
+    view.color_by = by;
+    const Image image = draw(world, view);
+    std::set<std::uint32_t> colors;
+    std::size_t background = 0;
+    for (std::size_t i = 0; i < pixel_count(image); ++i) {
+      colors.insert(pixel(image, i));
+      background += pixel(image, i) == white;
+    }
+    EXPECT_GT(colors.size(), 500u) << by;
+    EXPECT_LT(static_cast<double>(background), 0.95 * static_cast<double>(pixel_count(image))) << by;
+    EXPECT_EQ(draw(world, view).rgb, image.rgb) << by;
+  }
+  view.color_by = "colour";
+  EXPECT_THROW(draw(world, view), dem::RunError);
+}
+
+// Seen along an axis, an ellipsoid covers π times the other two semi-axes; a sphere and a turned box likewise.
+TEST(RenderPicture, SilhouettesHaveTheirAreas) {
+  NEEDS_EMBREE;
+  dem::World world = dem::io_test::small_world();
+  world.walls.clear();
+  world.contacts = {};
+  const double pi = std::numbers::pi;
+  struct Case {
+    std::uint32_t shape;
+    dem::Quatd orientation;
+    dem::Vec3d along;
+    double area;
+  };
+  const double h = std::sqrt(0.5);
+  const Case cases[] = {{1, {}, {0, 0, -1}, pi * 0.6 * 0.4}, {1, {}, {0, 1, 0}, pi * 0.6 * 0.3},
+                        {1, {}, {-1, 0, 0}, pi * 0.4 * 0.3}, {1, {h, 0, 0, h}, {0, 1, 0}, pi * 0.4 * 0.3},
+                        {0, {}, {1, 0, 0}, pi * 0.25},       {2, {}, {0, 1, 0}, 1.0 * 0.6}};
+  for (const Case& c : cases) {
+    world.particles = {};
+    dem::io_test::add_body(world, c.shape, 0, 1, {3, 4, 5}, c.orientation);
+    View view;
+    view.width = view.height = 400;
+    view.legend = false;
+    view.orthographic = c.along;
+    view.box.emplace();
+    view.box->add({3, 4, 5}, 0.65);  // 1.3 m across and a margin of 6 %: 400 pixels
+    const Image image = draw(world, view);
+    std::size_t covered = 0;
+    for (std::size_t i = 0; i < pixel_count(image); ++i) covered += pixel(image, i) != white;
+    const double side = 1.3 * 1.06 / 400;
+    EXPECT_NEAR(static_cast<double>(covered) * side * side, c.area, 0.01 * c.area) << c.area;
+  }
+}
+
+TEST(RenderPicture, ChangeOfUnitsGivesTheSamePicture) {
+  NEEDS_EMBREE;
+  dem::World world = dem::io_test::small_world();
+  View view;
+  view.width = 120;
+  view.height = 90;
+  view.color_by = "id";
+  const Image image = draw(world, view);
+  const double unit = 0x1p20;
+  for (std::size_t i = 0; i < world.particles.count(); ++i) {
+    world.particles.size[i] *= unit;
+    world.particles.motion[i].position *= unit;
+    world.particles.motion[i].bounding_radius *= unit;
+  }
+  dem::Vec3d corners[4];
+  for (std::size_t k = 0; k < 4; ++k) corners[k] = world.walls[1].mesh->vertices[k] * unit;
+  const std::uint32_t triangles[] = {0, 1, 2, 0, 2, 3};
+  world.walls[1].mesh = std::make_shared<const shapes::Mesh>(shapes::mesh_from_triangles(corners, triangles));
+  EXPECT_EQ(draw(world, view).rgb, image.rgb);
+}
+
+TEST(RenderPicture, PngFile) {
+  const dem::io_test::Folder folder("png");
+  const Image image{2, 1, {255, 0, 0, 0, 0, 255}};
+  write_png(folder / "two.png", image);
+  std::ifstream in(folder / "two.png", std::ios::binary);
+  char magic[8] = {};
+  in.read(magic, 8);
+  EXPECT_EQ(std::string(magic + 1, 3), "PNG");
+  EXPECT_THROW(write_png(folder / "none/two.png", image), dem::RunError);
+}
+
+}  // namespace
