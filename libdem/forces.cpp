@@ -36,6 +36,7 @@ struct Scratch {
   std::vector<std::uint32_t> changed;  // records whose contact came or went
   LawChunk law;
   SphereChunk spheres;
+  std::size_t pair[chunk_size];        // the pair of materials that each lane of `law` holds
   std::uint32_t record[chunk_size] = {};
   contact::Body a[chunk_size], b[chunk_size];
   Vec3d offset[chunk_size];
@@ -77,14 +78,19 @@ class ForcePass {
     s.changed.push_back(static_cast<std::uint32_t>(k));
   }
 
-  void load_pair(std::size_t i, std::size_t k, std::uint32_t material_a, std::uint32_t material_b, LawChunk& l) const {
-    const PairParameters& q = world_.pairs[material_a * world_.materials.size() + material_b];
-    l.young_eff[i] = q.young_eff;
-    l.shear_eff[i] = q.shear_eff;
-    l.stiffness_n[i] = q.stiffness_n;
-    l.stiffness_t[i] = q.stiffness_t;
-    l.friction[i] = q.friction;
-    l.damping[i] = q.damping;
+  void load_pair(std::size_t i, std::size_t k, std::uint32_t material_a, std::uint32_t material_b, Scratch& s) const {
+    LawChunk& l = s.law;
+    const std::size_t pair = material_a * world_.materials.size() + material_b;
+    if (pair != s.pair[i]) {  // lanes keep their pair of materials from chunk to chunk: it seldom changes
+      const PairParameters& q = world_.pairs[pair];
+      l.young_eff[i] = q.young_eff;
+      l.shear_eff[i] = q.shear_eff;
+      l.stiffness_n[i] = q.stiffness_n;
+      l.stiffness_t[i] = q.stiffness_t;
+      l.friction[i] = q.friction;
+      l.damping[i] = q.damping;
+      s.pair[i] = pair;
+    }
     const contact::History& h = c_.history[k];
     put(l.history_force, i, h.force_t);
     put(l.history_normal, i, h.normal);
@@ -137,7 +143,7 @@ class ForcePass {
       put(s.spheres.spin_b, i, b.spin);
       put(l.velocity, i, a.velocity - b.velocity);
       l.mass_eff[i] = 1 / (a.inverse_mass + b.inverse_mass);
-      load_pair(i, k, p_.material[c_.index_a[k]], p_.material[c_.index_b[k]], l);
+      load_pair(i, k, p_.material[c_.index_a[k]], p_.material[c_.index_b[k]], s);
     }
     set_.spheres(s.spheres, l, n);
     run_law(l, n, false);
@@ -177,7 +183,7 @@ class ForcePass {
       l.turn[n] = 0.5 * dot(a.spin + wall.spin, normal);
       l.radius_eff[n] = a.bounding_radius;
       l.mass_eff[n] = 1 / a.inverse_mass;
-      load_pair(n, k, p_.material[c_.index_a[k]], wall.material, l);
+      load_pair(n, k, p_.material[c_.index_a[k]], wall.material, s);
       s.arm_a[n] = lever;
       s.arm_b[n] = wall_arm;
       s.record[n++] = static_cast<std::uint32_t>(k);
@@ -295,7 +301,7 @@ class ForcePass {
     l.spread_xy[n] = m[3];
     l.spread_xz[n] = m[4];
     l.spread_yz[n] = m[5];
-    load_pair(n, k, p_.material[ia], material_b, l);
+    load_pair(n, k, p_.material[ia], material_b, s);
     s.arm_a[n] = arm_a;
     s.arm_b[n] = arm_b;
   }
@@ -339,6 +345,7 @@ void compute_forces(World& world, int threads, double dt) {
 #pragma omp parallel num_threads(threads)
   {
     static thread_local Scratch scratch;
+    std::fill(std::begin(scratch.pair), std::end(scratch.pair), ~std::size_t(0));
     Tally mine;
 #pragma omp for schedule(dynamic, 4)
     for (std::size_t i = 0; i < tasks.size(); ++i) {

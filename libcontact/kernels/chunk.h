@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 namespace contact::kernels {
 
@@ -60,5 +61,7 @@ struct KernelSet {
 // The best set this processor runs; the environment variable DEM_SIMD (sse2 | avx2 | avx512) asks for another. Every
 // set gives the same bits. Chosen once.
 const KernelSet& kernels();
+// Every set that this processor runs, narrowest first.
+std::span<const KernelSet* const> kernel_sets();
 
 }  // namespace contact::kernels

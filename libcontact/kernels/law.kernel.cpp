@@ -80,13 +80,15 @@ void law_kernel(LawChunk& c, std::size_t count, double dt_scalar, bool rescale) 
     const V n = load(c.normal, i), v = load(c.velocity, i);
     const Pack depth = larger(load(c.overlap, i), zero), before = load(c.history_overlap, i);
     const Pack vn = dot(v, n);
-    const Kinematics<Pack> k{depth, n, vn, v - n * vn, load(c.radius_eff, i), load(c.mass_eff, i), before};
-    const NormalForce<Pack> f = Law::normal(c, i, k);
+    // First contact: only the part of the step since δ = 0 counts.
     const auto fresh = before == zero;
-    // First contact: only the part of the step since δ = 0 slips.
     const Pack travelled = vn * dt;
     const Pack part = select(travelled > depth, depth / select(travelled > depth, travelled, one), one);
     const Pack dt_contact = select(fresh, part * dt, dt);
+    const Pack onset = select(fresh && travelled > zero, part, zero);
+    const Kinematics<Pack> k{
+        depth, n, vn, v - n * vn, load(c.radius_eff, i), load(c.mass_eff, i), before, dt, onset};
+    const NormalForce<Pack> f = Law::normal(c, i, k);
     Pack shrink = one;
     if (Law::shrinks && rescale) {
       const auto unloading = depth < before;

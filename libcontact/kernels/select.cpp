@@ -20,20 +20,38 @@ const KernelSet& kernel_set();
 
 namespace {
 
-const KernelSet& choose() {
+struct Sets {
+  const KernelSet* list[3] = {&sse2::kernel_set()};
+  std::size_t count = 1;
+  Sets() {
 #if defined(__x86_64__)
-  const char* wish = std::getenv("DEM_SIMD");
-  const auto allowed = [&](const char* name) { return wish == nullptr || std::strcmp(wish, name) == 0; };
-  const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
-  const bool has_avx512 = __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
-                          __builtin_cpu_supports("avx512vl") != 0;
-  if (has_avx512 && allowed("avx512")) return avx512::kernel_set();
-  if (has_avx2 && (allowed("avx2") || allowed("avx512"))) return avx2::kernel_set();
+    if (__builtin_cpu_supports("avx2") != 0) list[count++] = &avx2::kernel_set();
+    if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
+        __builtin_cpu_supports("avx512vl") != 0)
+      list[count++] = &avx512::kernel_set();
 #endif
-  return sse2::kernel_set();
+  }
+};
+
+// The widest set up to the one asked for; an unknown wish asks for the narrowest.
+const KernelSet& choose() {
+  const auto sets = kernel_sets();
+  const char* wish = std::getenv("DEM_SIMD");
+  if (wish == nullptr) return *sets.back();
+  const char* const order[] = {"sse2", "avx2", "avx512"};
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      if (std::strcmp(wish, order[j]) == 0 && i <= j) last = i;
+  return *sets[last];
 }
 
 }  // namespace
+
+std::span<const KernelSet* const> kernel_sets() {
+  static const Sets sets;
+  return {sets.list, sets.count};
+}
 
 const KernelSet& kernels() {
   static const KernelSet& set = choose();
