@@ -1,0 +1,57 @@
+// The commands of the program: arguments in, exit code out. Results go to stdout, everything else to stderr.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dem::cli {
+
+// 130 is what a shell reports for a program that Ctrl-C ended.
+enum ExitCode : int { success = 0, failed_run = 1, bad_input = 2, interrupted = 130 };
+
+struct RunArguments {
+  std::string scene, folder;
+  bool force = false, quiet = false;
+  int threads = 0;  // 0: all cores that the scene can keep busy
+  std::vector<std::string> overrides;
+};
+int run_command(const RunArguments& arguments);
+
+struct ResumeArguments {
+  std::string folder;
+  int threads = 0;
+  bool quiet = false;
+};
+int resume_command(const ResumeArguments& arguments);
+
+struct CheckArguments {
+  std::string scene;
+  std::vector<std::string> overrides;
+};
+int check_command(const CheckArguments& arguments);
+
+struct ListArguments {
+  std::string what;  // empty: everything
+  bool json = false;
+};
+int list_command(const ListArguments& arguments);
+const std::vector<std::string>& list_topics();
+
+struct ContactArguments {
+  std::string cases, method = "auto", json;
+  std::optional<double> tolerance;  // relative: largest half-width of the bounds over offset plus circumradii
+};
+int contact_command(const ContactArguments& arguments);
+
+struct RenderArguments {
+  std::string folder, color_by = "speed";
+  std::optional<int> frame;
+  bool movie = false;
+  int width = 1200, height = 900;
+};
+int render_command(const RenderArguments& arguments);
+
+int explain_command(const std::string& key);
+
+}  // namespace dem::cli

@@ -1,0 +1,171 @@
+// dem list and dem explain: catalogues from the lists and the schema.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "libcontact/dispatch.h"
+#include "libdem/cli/commands.h"
+#include "libdem/scene/data_files.h"
+#include "libdem/scene/schema.h"
+
+namespace dem::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// What each kind of scene becomes: the schema's words for bodies and walls.
+Json shapes_json() {
+  Json out = Json::array();
+  for (std::size_t i = 0; i < shapes::kind_count; ++i) {
+    const auto kind = static_cast<shapes::Kind>(i);
+    const bool wall = kind == shapes::Kind::plane || kind == shapes::Kind::mesh;
+    Json words = Json::array();
+    const Key* key = find_key(wall ? "wall.kind" : "shape.kind");
+    for (const std::string& word : key->choices) {
+      const bool same = word == shapes::name_of(kind);
+      const bool solid = kind == shapes::Kind::polyhedron && word != "sphere" && word != "ellipsoid";
+      if (same || (!wall && solid)) words.push_back(word);
+    }
+    out.push_back({{"name", shapes::name_of(kind)}, {"use", wall ? "wall" : "body"}, {"scene_kinds", words}});
+  }
+  return out;
+}
+
+Json method_json(const contact::MethodInfo& m) {
+  return {{"name", m.name},           {"a", shapes::name_of(m.a)}, {"b", shapes::name_of(m.b)},
+          {"cost_rank", m.cost_rank}, {"certified", m.certified},  {"remark", m.remark}};
+}
+
+Json methods_json() {
+  Json out = Json::array();
+  for (const auto* m = contact::methods_begin(); m != contact::methods_end(); ++m) out.push_back(method_json(*m));
+  return out;
+}
+
+Json pairs_json() {
+  Json out = Json::array();
+  for (std::size_t a = 0; a < shapes::kind_count; ++a)
+    for (std::size_t b = a; b < shapes::kind_count; ++b) {
+      Json names = Json::array();
+      for (const auto* m = contact::methods_begin(); m != contact::methods_end(); ++m)
+        if (m->a == static_cast<shapes::Kind>(a) && m->b == static_cast<shapes::Kind>(b)) names.push_back(m->name);
+      out.push_back({{"a", shapes::name_of(static_cast<shapes::Kind>(a))},
+                     {"b", shapes::name_of(static_cast<shapes::Kind>(b))},
+                     {"methods", names}});
+    }
+  return out;
+}
+
+Json laws_json() {
+  Json out = Json::array();
+  for (const std::string& name : find_key("law.name")->choices) {
+    Json keys = Json::array();
+    for (const Key& key : find_key("law")->section->keys)
+      if (std::find(key.selected.begin(), key.selected.end(), name) != key.selected.end()) keys.push_back(key.name);
+    out.push_back({{"name", name}, {"keys", keys}});
+  }
+  return out;
+}
+
+Json keys_json() {
+  Json out = Json::array();
+  for (const std::string& path : key_paths()) {
+    const Key& key = *find_key(path);
+    Json entry{{"key", path}, {"type", name_of(key.type)}, {"unit", key.unit}, {"required", key.required}};
+    entry["default"] = default_text(path);
+    entry["allowed"] = key.range.bounded() ? key.range.text(key.name) : fmt::format("{}", fmt::join(key.choices, ", "));
+    entry["meaning"] = key.sentence;
+    out.push_back(entry);
+  }
+  return out;
+}
+
+Json grains_json() {
+  Json out = Json::array();
+  for (const std::string& name : shipped_names()) out.push_back(name);
+  return out;
+}
+
+Json topic_json(const std::string& topic) {
+  if (topic == "shapes") return shapes_json();
+  if (topic == "methods") return methods_json();
+  if (topic == "laws") return laws_json();
+  if (topic == "pairs") return pairs_json();
+  if (topic == "keys") return keys_json();
+  return grains_json();
+}
+
+std::string cell(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_array()) return value.dump();
+  std::string out;
+  for (const Json& item : value) out += (out.empty() ? "" : " ") + cell(item);
+  return out.empty() ? "-" : out;
+}
+
+// A list of objects as columns; a list of words as lines.
+void print_table(const Json& rows) {
+  if (rows.empty() || !rows[0].is_object()) {
+    for (const Json& row : rows) fmt::print("{}\n", cell(row));
+    return;
+  }
+  std::vector<std::size_t> widths;
+  std::vector<std::vector<std::string>> lines{{}};
+  for (const auto& [name, value] : rows[0].items()) lines[0].push_back(name);
+  for (const Json& row : rows) {
+    lines.emplace_back();
+    for (const auto& [name, value] : row.items()) lines.back().push_back(cell(value));
+  }
+  widths.resize(lines[0].size());
+  for (const auto& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+  for (const auto& line : lines) {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) fmt::print("{:<{}}  ", line[i], widths[i]);
+    fmt::print("{}\n", line.back());
+  }
+}
+
+// Pair by pair: every method that answers it, the automatic choice first.
+void print_pairs() {
+  const auto wall = [](const Json& kind) { return kind == "plane" || kind == "mesh"; };
+  for (const Json& row : pairs_json()) {
+    const char* none = wall(row["a"]) && wall(row["b"]) ? "(walls never meet)" : "refused";
+    fmt::print("{:<12}{:<12}{}\n", cell(row["a"]), cell(row["b"]),
+               row["methods"].empty() ? none : cell(row["methods"]));
+  }
+}
+
+}  // namespace
+
+const std::vector<std::string>& list_topics() {
+  static const std::vector<std::string> topics{"shapes", "methods", "laws", "pairs", "keys", "grains"};
+  return topics;
+}
+
+int list_command(const ListArguments& arguments) {
+  const std::vector<std::string> topics =
+      arguments.what.empty() ? list_topics() : std::vector<std::string>{arguments.what};
+  if (arguments.json) {
+    Json out;
+    for (const std::string& topic : topics) out[topic] = topic_json(topic);
+    fmt::print("{}\n", out.dump(1));
+    return success;
+  }
+  for (const std::string& topic : topics) {
+    if (topics.size() > 1) fmt::print("{}{}\n", &topic == &topics[0] ? "" : "\n", topic);
+    if (topic == "pairs")
+      print_pairs();
+    else
+      print_table(topic_json(topic));
+  }
+  return success;
+}
+
+int explain_command(const std::string& key) {
+  fmt::print("{}", explain(key));
+  return success;
+}
+
+}  // namespace dem::cli

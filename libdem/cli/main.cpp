@@ -1,0 +1,166 @@
+// The dem program: reads the command line and hands over to a command. The only source file that includes CLI11.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "libdem/cli/commands.h"
+#include "libdem/io/io.h"
+#include "shapes/polyhedron_build.h"
+
+namespace {
+
+using namespace dem::cli;
+
+CLI::App* command(CLI::App& app, const std::string& name, const std::string& what, const std::string& examples) {
+  CLI::App* sub = app.add_subcommand(name, what);
+  sub->footer("Examples:\n" + examples);
+  return sub;
+}
+
+void add_overrides(CLI::App* sub, std::vector<std::string>& overrides) {
+  sub->add_option("--set", overrides,
+                  "Override a key of the scene: run.dt=1e-5, material[0].young=1e7, material.NAME.young=1e7")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_threads(CLI::App* sub, int& threads) {
+  sub->add_option("--threads", threads,
+                  "Number of threads (default: up to all cores); the result does not depend on it")
+      ->check(CLI::Range(1, 4096));
+}
+
+void add_run(CLI::App& app, RunArguments& a) {
+  CLI::App* sub = command(app, "run", "Run a scene.",
+                          "  dem run hopper.toml --out out/hopper\n"
+                          "  dem run hopper.toml --out out/short --set run.time=0.1 --set material.glass.friction=0.3\n"
+                          "Ctrl-C writes a checkpoint and exits with 130; dem resume DIR goes on.");
+  sub->add_option("scene", a.scene, "Scene file (TOML)")->required()->type_name("SCENE");
+  sub->add_option("--out", a.folder, "Folder for everything that the run writes")->required()->type_name("DIR");
+  sub->add_flag("--force", a.force, "Replace the run that the folder holds (only files that a run writes)");
+  sub->add_flag("--quiet", a.quiet, "No progress");
+  add_threads(sub, a.threads);
+  add_overrides(sub, a.overrides);
+}
+
+void add_resume(CLI::App& app, ResumeArguments& a) {
+  CLI::App* sub = command(app, "resume", "Continue a run from its last checkpoint, as if it had never stopped.",
+                          "  dem resume out/hopper\n  dem resume out/hopper --threads 2");
+  sub->add_option("folder", a.folder, "Folder of the run")->required()->type_name("DIR");
+  sub->add_flag("--quiet", a.quiet, "No progress");
+  add_threads(sub, a.threads);
+}
+
+void add_check(CLI::App& app, CheckArguments& a) {
+  CLI::App* sub = command(app, "check", "Say what a scene is, without running it.",
+                          "  dem check hopper.toml\n  dem check hopper.toml --set run.dt_fraction=0.05");
+  sub->add_option("scene", a.scene, "Scene file (TOML)")->required()->type_name("SCENE");
+  add_overrides(sub, a.overrides);
+}
+
+void add_list(CLI::App& app, ListArguments& a) {
+  CLI::App* sub =
+      command(app, "list", "Print the catalogues.", "  dem list pairs\n  dem list keys\n  dem list methods --json");
+  sub->add_option("what", a.what, "One of them; everything when left out")->check(CLI::IsMember(list_topics()));
+  sub->add_flag("--json", a.json, "As JSON");
+}
+
+void add_contact(CLI::App& app, ContactArguments& a) {
+  CLI::App* sub = command(app, "contact", "Answer pair queries from a file of cases.",
+                          "  dem contact cases.json\n"
+                          "  dem contact cases.json --method analytic --json results.json\n"
+                          "Exit code 0: every case answered or refused; 1: one did not converge; 2: bad input.");
+  sub->add_option("cases", a.cases, "Case file (JSON)")->required()->type_name("CASES.json");
+  sub->add_option("--method", a.method, "A method of dem list methods, or auto")
+      ->type_name("NAME")
+      ->capture_default_str();
+  sub->add_option(
+         "--tolerance", a.tolerance,
+         "Largest half-width of the bounds, relative to centre distance plus circumradii; a wider answer counts as "
+         "not converged")
+      ->check(CLI::PositiveNumber);
+  sub->add_option("--json", a.json, "Write the results to this file")->type_name("OUT");
+}
+
+void add_render(CLI::App& app, RenderArguments& a, std::string& size) {
+  CLI::App* sub = command(app, "render", "Draw a run, without a display.",
+                          "  dem render out/hopper\n"
+                          "  dem render out/hopper --frame 10 --color-by shape --size 1920x1080\n"
+                          "  dem render out/hopper --movie");
+  sub->add_option("folder", a.folder, "Folder of the run")->required()->type_name("DIR");
+  auto* frame = sub->add_option("--frame", a.frame, "A frame of the record, from 0 (default: the last state)");
+  sub->add_option("--color-by", a.color_by, "speed, id, shape, size, material or force")->capture_default_str();
+  sub->add_flag("--movie", a.movie, "All frames as a movie (ffmpeg), or as numbered pictures")->excludes(frame);
+  sub->add_option("--size", size, "Width x height in pixels")->capture_default_str()->type_name("WxH");
+}
+
+void parse_size(const std::string& text, RenderArguments& a) {
+  int used = 0;
+  const bool ok = std::sscanf(text.c_str(), "%dx%d%n", &a.width, &a.height, &used) == 2 &&
+                  static_cast<std::size_t>(used) == text.size();
+  constexpr int smallest = 16, largest = 16384;
+  if (!ok || std::min(a.width, a.height) < smallest || std::max(a.width, a.height) > largest)
+    throw dem::InputError(fmt::format("--size {}: allowed WxH with {} <= W, H <= {}", text, smallest, largest));
+}
+
+int run_program(int argc, char** argv) {
+  CLI::App app("Discrete element simulation of bodies of any convex shape.", "dem");
+  app.set_version_flag("--version", std::string("dem ") + dem::io::version);
+  app.require_subcommand(1);
+  app.footer(
+      "dem COMMAND --help shows a command with examples.\nExit codes: 0 ok, 1 failed run, 2 bad input, 130 "
+      "interrupted.");
+  RunArguments run;
+  ResumeArguments resume;
+  CheckArguments check;
+  ListArguments list;
+  ContactArguments contact;
+  RenderArguments render;
+  std::string size = "1200x900", key;
+  add_run(app, run);
+  add_resume(app, resume);
+  add_check(app, check);
+  add_list(app, list);
+  add_contact(app, contact);
+  add_render(app, render, size);
+  command(app, "explain", "Explain a key of the scene format.", "  dem explain run.dt\n  dem explain wall")
+      ->add_option("key", key, "Path of the key")
+      ->required();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? success : bad_input;
+  }
+  if (app.got_subcommand("run")) return run_command(run);
+  if (app.got_subcommand("resume")) return resume_command(resume);
+  if (app.got_subcommand("check")) return check_command(check);
+  if (app.got_subcommand("list")) return list_command(list);
+  if (app.got_subcommand("contact")) return contact_command(contact);
+  if (app.got_subcommand("explain")) return explain_command(key);
+  parse_size(size, render);
+  return render_command(render);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run_program(argc, argv);
+  } catch (const dem::InputError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return bad_input;
+  } catch (const shapes::Error& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return bad_input;
+  } catch (const dem::RunError& error) {
+    fmt::print(stderr, "the run failed: {}\n", error.what());
+    return failed_run;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "failed: {}\n", error.what());
+    return failed_run;
+  }
+}

@@ -1,0 +1,98 @@
+// dem run and dem resume.
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <filesystem>
+
+#include "libdem/cli/commands.h"
+#include "libdem/cli/folder.h"
+#include "libdem/cli/progress.h"
+#include "libdem/io/io.h"
+#include "libdem/run.h"
+
+namespace dem::cli {
+
+namespace {
+
+std::atomic<bool> stop_asked{false};
+static_assert(std::atomic<bool>::is_always_lock_free);  // or a signal handler may not touch it
+
+extern "C" void ask_to_stop(int signal) {
+  stop_asked.store(true, std::memory_order_relaxed);
+  std::signal(signal, SIG_DFL);  // a second Ctrl-C ends the program at once
+}
+
+void report(const World& world, const std::string& folder) {
+  const double per_second = world.times.loop > 0 ? 1 / world.times.loop : 0;
+  fmt::print("{}: {} steps, t = {:.6g} s, {} particles\n", folder, world.step, world.time(), world.particles.count());
+  fmt::print("time loop {}, output {}\n", duration_text(world.times.loop), duration_text(world.times.output));
+  const Counters& c = world.counters;
+  fmt::print("queries {}, contact-steps {} ({}per s of the loop), not converged {}, uncertified {}\n", c.queries,
+             c.contact_steps, rate_text(static_cast<double>(c.contact_steps) * per_second), c.not_converged,
+             c.uncertified);
+  for (const OutletRecord& o : world.outlets) fmt::print("outlet {}: {} bodies, {:.6g} kg\n", o.name, o.count, o.mass);
+  fmt::print("state_hash {:016x}\n", state_hash(world));
+}
+
+// A thread must have enough to do between two barriers to be worth waking.
+int default_threads(const World& world) {
+  constexpr std::size_t particles_per_thread = 200;
+  return static_cast<int>(std::clamp<std::size_t>(world.particles.count() / particles_per_thread, 1,
+                                                  static_cast<std::size_t>(omp_get_num_procs())));
+}
+
+int carry_out(World& world, const std::string& folder, int threads, bool quiet, bool resumed) {
+  std::signal(SIGINT, ask_to_stop);
+  std::signal(SIGTERM, ask_to_stop);
+  Progress progress(world, total_steps(world));
+  RunOptions options;
+  options.folder = folder;
+  options.threads = threads > 0 ? threads : default_threads(world);
+  options.interrupt = &stop_asked;
+  if (!quiet) options.progress = [&](const World& w) { progress.show(w); };
+  const RunEnd end = run(world, options, resumed);
+  if (!quiet) progress.end();
+  if (end == RunEnd::interrupted) {
+    fmt::print(stderr, "stopped at step {} of {}; go on with: dem resume {}\n", world.step, total_steps(world), folder);
+    return interrupted;
+  }
+  report(world, folder);
+  return success;
+}
+
+}  // namespace
+
+int run_command(const RunArguments& arguments) {
+  check_folder(arguments.folder, arguments.scene, arguments.force);
+  World world = build_world(load_scene(arguments.scene, arguments.overrides));  // bad input ends here, nothing written
+  if (!arguments.quiet)
+    fmt::print(stderr, "{} particles, {} walls, {} steps of {:.4g} s (limit {:.4g} s: {})\n", world.particles.count(),
+               world.walls.size(), total_steps(world), world.time_step.dt, world.time_step.limit,
+               world.time_step.limited_by);
+  if (arguments.force) clear_folder(arguments.folder);
+  return carry_out(world, arguments.folder, arguments.threads, arguments.quiet, false);
+}
+
+int resume_command(const ResumeArguments& arguments) {
+  World world = build_world(scene_of_run(arguments.folder));
+  const auto checkpoint = io::read_last_checkpoint(arguments.folder);
+  if (!checkpoint) {
+    fmt::print(stderr, "{}: no checkpoint; starts again from the beginning\n", arguments.folder);
+    clear_folder(arguments.folder);
+    return carry_out(world, arguments.folder, arguments.threads, arguments.quiet, false);
+  }
+  load_state(world, checkpoint->state);
+  const std::filesystem::path folder(arguments.folder);
+  if (world.step >= total_steps(world) && std::filesystem::exists(folder / "final.csv") &&
+      std::filesystem::exists(folder / "summary.json")) {
+    fmt::print("{}: finished already, at step {}\n", arguments.folder, world.step);
+    return success;
+  }
+  if (!arguments.quiet) fmt::print(stderr, "goes on at step {} of {}\n", world.step, total_steps(world));
+  return carry_out(world, arguments.folder, arguments.threads, arguments.quiet, true);
+}
+
+}  // namespace dem::cli

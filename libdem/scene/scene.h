@@ -1,0 +1,175 @@
+// A scene as resolved: every value present, checked, in SI units. The schema table (scene/schema.cpp) is the one place
+// that states each key's name, type, unit, range, default and meaning; this struct only holds the values.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "shapes/math/quat.h"
+
+namespace dem {
+
+using shapes::Quatd;
+using shapes::Vec3d;
+
+// Where a value stands in its file: errors found after parsing (an initial overlap, a bad mesh) still name the line.
+struct Where {
+  std::string file;
+  int line = 0, column = 0;
+};
+
+// Bad input of any kind; the message is complete: what, value, allowed range, file:line:column.
+struct InputError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+[[noreturn]] void input_error(const Where& where, const std::string& message);
+
+struct RunSpec {
+  double time = 0;  // s; 0 when `steps` is given instead
+  std::uint64_t steps = 0;
+  bool dt_auto = true;
+  double dt = 0;                    // s, when not auto
+  double dt_fraction = 0.1;         // of the smallest stability limit
+  double dt_overlap = 0.01;         // overlap / smaller radius at which nonlinear laws are judged
+  int dt_contacts = 6;              // contacts per body whose stiffness rows are summed
+  double skin = -1;                 // m; < 0: auto
+  std::uint64_t rebuild_every = 0;  // steps; 0: when a body has moved by half the skin; 1: every step
+  std::uint64_t seed = 1;
+  double max_initial_overlap = 0.05;    // of the smaller inscribed radius
+  double max_uncertified_share = 1e-4;  // of contact-steps (contract 9)
+};
+
+struct OutputSpec {
+  double interval = 0;             // s between frames; 0: only the first and last
+  double checkpoint_interval = 0;  // s of simulated time; 0: at the end and on interrupt only
+  bool vtk = true, hdf5 = true, picture = true;
+};
+
+struct MaterialSpec {
+  std::string name;
+  double young = 0;        // Pa
+  double poisson = 0.3;    // –
+  double density = 0;      // kg/m³
+  double restitution = 1;  // –, 1 = undamped
+  double friction = 0;     // –
+  double stiffness = 0;    // N/m, law spring_dashpot only
+  bool rigid = false;      // out of both E* and G*
+  Where where;
+};
+
+struct MaterialPairSpec {  // overrides what mixing would give; NaN = mixed
+  std::string a, b;
+  double restitution = std::numeric_limits<double>::quiet_NaN();
+  double friction = std::numeric_limits<double>::quiet_NaN();
+  double stiffness = std::numeric_limits<double>::quiet_NaN();
+  Where where;
+};
+
+enum class LawName { spring_dashpot, hertz_mindlin };
+
+struct LawSpec {
+  LawName name = LawName::hertz_mindlin;
+  bool rescale = true;  // hertz_mindlin: shorten the tangential spring when the contact radius shrinks
+};
+
+// sphere: radius. ellipsoid: semi_axes. box: extents. prism: sides, circumradius, height. tetrahedron … icosahedron:
+// circumradius. polyhedron: vertices, or half_spaces, or file (OFF, OBJ, STL); `diameter` > 0 rescales a polyhedron so
+// that its volume-equivalent sphere has this diameter.
+struct ShapeSpec {
+  std::string name, kind;
+  double radius = 0;
+  Vec3d semi_axes{}, extents{};
+  int sides = 0;
+  double circumradius = 0, height = 0;
+  std::vector<Vec3d> vertices;
+  std::vector<std::array<double, 4>> half_spaces;  // nx, ny, nz, offset
+  std::string file;                                // resolved path
+  double diameter = 0;                             // m
+  Where where;
+};
+
+enum class WallMotion { fixed, translation, rotation, oscillation };
+
+struct WallSpec {
+  std::string name, kind;  // plane | mesh
+  std::string material;
+  Vec3d point{}, normal{0, 0, 1};  // plane
+  std::string file;                // mesh, resolved path; or vertices + triangles
+  double scale = 1;
+  std::vector<Vec3d> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  WallMotion motion = WallMotion::fixed;
+  Vec3d velocity{};                 // translation: m/s
+  Vec3d axis{0, 0, 1}, centre{};    // rotation
+  double rate = 0;                  // rotation: rad/s
+  Vec3d amplitude{};                // oscillation: x = amplitude sin(2π f t + phase), m
+  double frequency = 0, phase = 0;  // Hz, rad
+  double start = 0, stop = std::numeric_limits<double>::infinity();  // s, when it moves
+  double remove_at = std::numeric_limits<double>::infinity();        // s: the wall disappears (a gate)
+  Where where;
+};
+
+struct FillItem {
+  std::string shape, material;
+  double weight = 1;                    // share of the number
+  double scale_min = 1, scale_max = 1;  // sizes uniform in between (factor on the shape's size)
+};
+
+struct FillSpec {  // bodies on a jittered grid inside a box, random orientation, no overlap
+  Vec3d lower{}, upper{};
+  std::uint64_t count = 0;
+  Vec3d velocity{};
+  std::vector<FillItem> items;
+  Where where;
+};
+
+struct BodySpec {
+  std::string shape, material;
+  double scale = 1;
+  Vec3d position{}, velocity{}, spin{};
+  Quatd orientation{};
+  Where where;
+};
+
+// CSV or CSV.gz with a header line (after # comments): x, y, z and radius (spheres) or scale; optional qw qx qy qz vx
+// vy vz wx wy wz shape material.
+struct CsvSpec {
+  std::string file;
+  std::string shape, material;
+  Where where;
+};
+
+struct OutletSpec {  // bodies whose centre is behind the plane (normal·(x − point) < 0) are deleted and counted
+  std::string name;
+  Vec3d point{}, normal{0, 0, 1};
+  Where where;
+};
+
+struct Scene {
+  std::string path;  // file it came from
+  std::string title;
+  RunSpec run;
+  OutputSpec output;
+  Vec3d gravity{};  // m/s²
+  std::string method = "auto";
+  LawSpec law;
+  std::vector<MaterialSpec> materials;
+  std::vector<MaterialPairSpec> pairs;
+  std::vector<ShapeSpec> shapes;
+  std::vector<WallSpec> walls;
+  std::vector<FillSpec> fills;
+  std::vector<BodySpec> bodies;
+  std::vector<CsvSpec> csv;
+  std::vector<OutletSpec> outlets;
+};
+
+// Parses a scene file with `key=value` overrides (--set); throws InputError. Paths inside are relative to the file.
+Scene load_scene(const std::string& path, const std::vector<std::string>& overrides = {});
+// The scene as TOML that parses back to the same scene (17 digits); written into the run's folder.
+std::string scene_to_toml(const Scene& scene);
+
+}  // namespace dem

@@ -1,0 +1,319 @@
+// The schema table itself: one line per key. The order is the order of the reference page and of a written scene.
+#include "libdem/scene/schema.h"
+
+#include "libdem/scene/schema_bind.h"
+
+namespace dem {
+
+namespace {
+
+using bind::heading;
+using bind::table;
+using bind::tables;
+using bind::value;
+
+template <auto Number, auto IsAuto>
+Key number_or_auto(std::string name, std::string unit, std::string sentence) {
+  Key key = value<Number>(std::move(name), std::move(unit), std::move(sentence));
+  key.type = KeyType::number_or_auto;
+  using Spec = typename decltype(bind::split(Number))::Class;
+  key.set = [](void* spec, const Node& n) {
+    static_cast<Spec*>(spec)->*IsAuto = n.kind == Node::Kind::text;
+    if (n.is_number()) static_cast<Spec*>(spec)->*Number = n.as_number();
+  };
+  key.get = [](const void* spec) {
+    const Spec& s = *static_cast<const Spec*>(spec);
+    return s.*IsAuto ? Node::of(std::string("auto")) : Node::of(s.*Number);
+  };
+  return key;
+}
+
+Key skin() {
+  Key key = value<&RunSpec::skin>("skin", "m",
+                                  "Distance that the neighbour list adds to bodies; the result does not depend on it.");
+  key.type = KeyType::number_or_auto;
+  key.set = [](void* spec, const Node& n) { static_cast<RunSpec*>(spec)->skin = n.is_number() ? n.as_number() : -1; };
+  key.get = [](const void* spec) {
+    const double s = static_cast<const RunSpec*>(spec)->skin;
+    return s < 0 ? Node::of(std::string("auto")) : Node::of(s);
+  };
+  return key;
+}
+
+Key uncertified_share() {
+  Key key = value<&RunSpec::max_uncertified_share>(
+      "max_uncertified_share", "",
+      "Share of contact-steps that may be uncertified or not converged before the run stops.");
+  key.set = [](void* spec, const Node& n) { bind::from_node(n, static_cast<Scene*>(spec)->run.max_uncertified_share); };
+  key.get = [](const void* spec) { return Node::of(static_cast<const Scene*>(spec)->run.max_uncertified_share); };
+  return key;
+}
+
+template <auto M>
+Key word(std::string name, std::string sentence, std::vector<std::string> words) {
+  using Split = decltype(bind::split(M));
+  using Spec = typename Split::Class;
+  static const std::vector<std::string> names = words;  // one instance per key: M is part of the template
+  Key key;
+  key.name = std::move(name);
+  key.sentence = std::move(sentence);
+  key.choices = std::move(words);
+  key.set = [](void* spec, const Node& n) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (names[i] == n.text) static_cast<Spec*>(spec)->*M = static_cast<typename Split::Type>(i);
+  };
+  key.get = [](const void* spec) {
+    return Node::of(names[static_cast<std::size_t>(static_cast<const Spec*>(spec)->*M)]);
+  };
+  return key;
+}
+
+Key size_factor() {
+  Key key = value<&FillItem::scale_min>(
+      "scale", "", "Factor on the size of the shape: one number, or [min, max] for sizes uniform in between.");
+  key.type = KeyType::number_or_range;
+  key.set = [](void* spec, const Node& n) {
+    FillItem& item = *static_cast<FillItem*>(spec);
+    const bool list = n.kind == Node::Kind::array;
+    item.scale_min = list ? n.items[0].as_number() : n.as_number();
+    item.scale_max = list ? n.items[1].as_number() : n.as_number();
+  };
+  key.get = [](const void* spec) {
+    const FillItem& item = *static_cast<const FillItem*>(spec);
+    return Node::array_of({Node::of(item.scale_min), Node::of(item.scale_max)});
+  };
+  return key;
+}
+
+std::vector<Key> run_keys() {
+  return {
+      value<&RunSpec::time>("time", "s", "Simulated time; give this or run.steps.").above(0),
+      value<&RunSpec::steps>("steps", "", "Number of steps; give this or run.time.").from(1),
+      number_or_auto<&RunSpec::dt, &RunSpec::dt_auto>(
+          "dt", "s", "Time step; auto = run.dt_fraction of the smallest stability limit.")
+          .above(0),
+      value<&RunSpec::dt_fraction>("dt_fraction", "", "Automatic time step divided by the smallest stability limit.")
+          .above(0)
+          .to(0.5),
+      value<&RunSpec::dt_overlap>(
+          "dt_overlap", "",
+          "Overlap, in smaller radii, at which the stiffness of nonlinear laws is judged for the limit.")
+          .above(0)
+          .to(0.5),
+      value<&RunSpec::dt_contacts>("dt_contacts", "", "Contacts per body whose stiffness is summed for the limit.")
+          .from(1)
+          .to(100),
+      skin().above(0),
+      value<&RunSpec::rebuild_every>(
+          "rebuild_every", "",
+          "Steps between rebuilds of the neighbour list; 0 = when a body has moved by half the skin.")
+          .from(0),
+      value<&RunSpec::seed>("seed", "", "Seed of the random numbers that place and turn the bodies of a fill.").from(0),
+      value<&RunSpec::max_initial_overlap>("max_initial_overlap", "",
+                                           "Largest overlap at the start, in smaller inscribed radii; more is refused.")
+          .from(0)
+          .to(1),
+  };
+}
+
+std::vector<Key> output_keys() {
+  return {
+      value<&OutputSpec::interval>("interval", "s", "Simulated time between frames; 0 = only the first and the last.")
+          .from(0),
+      value<&OutputSpec::checkpoint_interval>(
+          "checkpoint_interval", "s", "Simulated time between checkpoints; 0 = at the end and on an interrupt only.")
+          .from(0),
+      value<&OutputSpec::vtk>("vtk", "", "Write frames for ParaView (frames.pvd)."),
+      value<&OutputSpec::hdf5>("hdf5", "", "Write frames into the record (record.h5)."),
+      value<&OutputSpec::picture>("picture", "", "Draw the final state (final.png)."),
+  };
+}
+
+std::vector<Key> material_keys() {
+  return {
+      value<&MaterialSpec::name>("name", "", "Name by which bodies and walls refer to it.").own_name(),
+      value<&MaterialSpec::young>("young", "Pa", "Young's modulus; needed by law hertz_mindlin unless rigid.").above(0),
+      value<&MaterialSpec::poisson>("poisson", "", "Poisson's ratio.").from(0).to(0.5),
+      value<&MaterialSpec::density>("density", "kg/m^3",
+                                    "Mass density; needed where a body, not only a wall, is made of it.")
+          .above(0),
+      value<&MaterialSpec::restitution>("restitution", "", "Rebound speed over impact speed, head-on; 1 = undamped.")
+          .from(0.01)
+          .to(1),
+      value<&MaterialSpec::friction>("friction", "", "Coulomb friction coefficient.").from(0),
+      value<&MaterialSpec::stiffness>("stiffness", "N/m",
+                                      "Normal stiffness; needed by law spring_dashpot unless rigid.")
+          .above(0),
+      value<&MaterialSpec::rigid>("rigid", "", "Adds no compliance to a contact; not for two that can meet."),
+  };
+}
+
+std::vector<Key> pair_keys() {
+  return {
+      value<&MaterialPairSpec::a>("a", "", "One material.").refers("material").must(),
+      value<&MaterialPairSpec::b>("b", "", "The other one (or the same).").refers("material").must(),
+      value<&MaterialPairSpec::restitution>("restitution", "", "Replaces the mixed restitution.").from(0.01).to(1),
+      value<&MaterialPairSpec::friction>("friction", "", "Replaces the mixed friction.").from(0),
+      value<&MaterialPairSpec::stiffness>("stiffness", "N/m",
+                                          "Replaces the mixed normal stiffness (law spring_dashpot).")
+          .above(0),
+  };
+}
+
+std::vector<Key> shape_keys() {
+  const std::vector<std::string> platonic{"tetrahedron", "cube", "octahedron", "dodecahedron", "icosahedron"};
+  std::vector<std::string> kinds{"sphere", "ellipsoid", "box", "prism"};
+  kinds.insert(kinds.end(), platonic.begin(), platonic.end());
+  kinds.push_back("polyhedron");
+  std::vector<std::string> round{"prism"};
+  round.insert(round.end(), platonic.begin(), platonic.end());
+  return {
+      value<&ShapeSpec::name>("name", "", "Name by which bodies refer to it.").own_name(),
+      value<&ShapeSpec::kind>("kind", "", "What it is.").one_of(kinds).must(),
+      value<&ShapeSpec::radius>("radius", "m", "Radius.").above(0).when("kind", {"sphere"}).must(),
+      value<&ShapeSpec::semi_axes>("semi_axes", "m", "Semi-axes along x, y, z.")
+          .above(0)
+          .when("kind", {"ellipsoid"})
+          .must(),
+      value<&ShapeSpec::extents>("extents", "m", "Full edge lengths along x, y, z.")
+          .above(0)
+          .when("kind", {"box"})
+          .must(),
+      value<&ShapeSpec::sides>("sides", "", "Number of side faces.").from(3).to(1000).when("kind", {"prism"}).must(),
+      value<&ShapeSpec::circumradius>("circumradius", "m",
+                                      "Radius of the sphere (prism: of the base's circle) through the vertices.")
+          .above(0)
+          .when("kind", round)
+          .must(),
+      value<&ShapeSpec::height>("height", "m", "Height along z.").above(0).when("kind", {"prism"}).must(),
+      value<&ShapeSpec::vertices>("vertices", "m",
+                                  "Points whose convex hull is the body; give this, half_spaces or file.")
+          .when("kind", {"polyhedron"}),
+      value<&ShapeSpec::half_spaces>("half_spaces", "m", "Half-spaces n·x <= offset whose intersection is the body.")
+          .when("kind", {"polyhedron"}),
+      value<&ShapeSpec::file>(
+          "file", "",
+          "OFF, OBJ or STL file of a closed convex mesh, or a shipped one: grain:NAME, grain-fine:NAME, solid:NAME.")
+          .as_file()
+          .when("kind", {"polyhedron"}),
+      value<&ShapeSpec::diameter>(
+          "diameter", "m", "Rescales the body to the volume of a sphere of this diameter; needed by shipped shapes.")
+          .above(0)
+          .when("kind", {"polyhedron"}),
+  };
+}
+
+std::vector<Key> wall_keys() {
+  const std::vector<std::string> moving{"translation", "rotation", "oscillation"};
+  return {
+      value<&WallSpec::name>("name", "", "Name in messages and output.").own_name(),
+      value<&WallSpec::kind>("kind", "", "Infinite plane, or triangle mesh.").one_of({"plane", "mesh"}).must(),
+      value<&WallSpec::material>("material", "", "Its material.").refers("material").must(),
+      value<&WallSpec::point>("point", "m", "A point on the plane.").when("kind", {"plane"}).must(),
+      value<&WallSpec::normal>("normal", "", "Out of the wall, towards the bodies; any length.")
+          .when("kind", {"plane"})
+          .must(),
+      value<&WallSpec::file>("file", "", "OFF, OBJ or STL file; give this, or vertices and triangles.")
+          .as_file()
+          .when("kind", {"mesh"}),
+      value<&WallSpec::scale>("scale", "", "Factor on the coordinates of the mesh.").above(0).when("kind", {"mesh"}),
+      value<&WallSpec::vertices>("vertices", "m", "Vertices of the mesh.").when("kind", {"mesh"}),
+      value<&WallSpec::triangles>("triangles", "", "Triangles as indices of vertices, from 0.")
+          .from(0)
+          .to(4294967295.0)
+          .when("kind", {"mesh"}),
+      word<&WallSpec::motion>("motion", "Prescribed motion.", {"fixed", "translation", "rotation", "oscillation"}),
+      value<&WallSpec::velocity>("velocity", "m/s", "Velocity.").when("motion", {"translation"}).must(),
+      value<&WallSpec::axis>("axis", "", "Direction of the axis; any length.").when("motion", {"rotation"}).must(),
+      value<&WallSpec::centre>("centre", "m", "A point on the axis.").when("motion", {"rotation"}).must(),
+      value<&WallSpec::rate>("rate", "rad/s", "Angular velocity about the axis.").when("motion", {"rotation"}).must(),
+      value<&WallSpec::amplitude>("amplitude", "m", "Displacement = amplitude · sin(2π · frequency · t + phase).")
+          .when("motion", {"oscillation"})
+          .must(),
+      value<&WallSpec::frequency>("frequency", "Hz", "Frequency.").above(0).when("motion", {"oscillation"}).must(),
+      value<&WallSpec::phase>("phase", "rad", "Phase.").when("motion", {"oscillation"}),
+      value<&WallSpec::start>("start", "s", "When the motion begins.").from(0).when("motion", moving),
+      value<&WallSpec::stop>("stop", "s", "When the motion ends.").above(0).when("motion", moving),
+      value<&WallSpec::remove_at>("remove_at", "s", "When the wall is taken away (a gate).").from(0),
+  };
+}
+
+std::vector<Key> item_keys() {
+  return {
+      value<&FillItem::shape>("shape", "", "Shape of these bodies.").refers("shape").must(),
+      value<&FillItem::material>("material", "", "Their material.").refers("material").must(),
+      value<&FillItem::weight>("weight", "", "Their share of the number, relative to the other items.").above(0),
+      size_factor().above(0),
+  };
+}
+
+std::vector<Key> fill_keys() {
+  return {
+      value<&FillSpec::lower>("lower", "m", "Lower corner of the box that is filled.").must(),
+      value<&FillSpec::upper>("upper", "m", "Upper corner.").must(),
+      value<&FillSpec::count>("count", "", "Number of bodies.").from(1).must(),
+      value<&FillSpec::velocity>("velocity", "m/s", "Their initial velocity."),
+      tables<&FillSpec::items>("items", "What the box is filled with.", item_keys()).must(),
+  };
+}
+
+std::vector<Key> body_keys() {
+  return {
+      value<&BodySpec::shape>("shape", "", "Its shape.").refers("shape").must(),
+      value<&BodySpec::material>("material", "", "Its material.").refers("material").must(),
+      value<&BodySpec::scale>("scale", "", "Factor on the size of the shape.").above(0),
+      value<&BodySpec::position>("position", "m", "Centre of mass.").must(),
+      value<&BodySpec::orientation>("orientation", "", "Unit quaternion w, x, y, z: body axes to world axes."),
+      value<&BodySpec::velocity>("velocity", "m/s", "Initial velocity."),
+      value<&BodySpec::spin>("spin", "rad/s", "Initial angular velocity, world axes."),
+  };
+}
+
+}  // namespace
+
+const Section& schema() {
+  static const std::shared_ptr<const Section> root = bind::section<Scene>({
+      value<&Scene::title>("title", "", "One line about the scene."),
+      table<&Scene::run>("run", "Time, step and neighbour list.", run_keys()),
+      table<&Scene::output>("output", "What a run writes, and when.", output_keys()),
+      heading<Scene>(
+          "world", "What surrounds the bodies.",
+          {value<&Scene::gravity>("gravity", "m/s^2", "Acceleration of gravity; [0, 0, 0] for none.").must()})
+          .must(),
+      heading<Scene>(
+          "contact", "How contacts are detected.",
+          {value<&Scene::method>("method", "",
+                                 "Name of a detection method, or auto = the cheapest certified one of each pair."),
+           uncertified_share().from(0).to(1)}),
+      table<&Scene::law>(
+          "law", "The force law.",
+          {word<&LawSpec::name>("name", "Linear spring and dashpot, or Hertz-Mindlin.",
+                                {"spring_dashpot", "hertz_mindlin"})
+               .must(),
+           value<&LawSpec::rescale>("rescale", "", "Shorten the tangential spring when the contact radius shrinks.")
+               .when("name", {"hertz_mindlin"})})
+          .must(),
+      tables<&Scene::materials>("material", "A material.", material_keys()).must(),
+      tables<&Scene::pairs>("material_pair", "What two materials do together, in place of the mixed values.",
+                            pair_keys()),
+      tables<&Scene::shapes>("shape", "A shape of bodies.", shape_keys()).must(),
+      tables<&Scene::walls>("wall", "A wall.", wall_keys()),
+      tables<&Scene::fills>("fill", "Bodies on a jittered grid in a box, turned at random, without overlap.",
+                            fill_keys()),
+      tables<&Scene::bodies>("body", "One body.", body_keys()),
+      tables<&Scene::csv>(
+          "bodies_csv", "Bodies from a CSV or CSV.gz file with columns x, y, z and radius or scale.",
+          {value<&CsvSpec::file>("file", "", "The file.").as_file().must(),
+           value<&CsvSpec::shape>("shape", "", "Their shape, where the file has no such column.").refers("shape"),
+           value<&CsvSpec::material>("material", "", "Their material, where the file has no such column.")
+               .refers("material")}),
+      tables<&Scene::outlets>(
+          "outlet", "Bodies whose centre is behind this plane are taken out and counted.",
+          {value<&OutletSpec::name>("name", "", "Name in messages and output.").own_name(),
+           value<&OutletSpec::point>("point", "m", "A point on the plane.").must(),
+           value<&OutletSpec::normal>("normal", "", "Towards the bodies that stay; any length.").must()}),
+  });
+  return *root;
+}
+
+}  // namespace dem

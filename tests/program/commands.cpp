@@ -1,0 +1,124 @@
+// What the commands print and write, and what they refuse.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "libcontact/dispatch.h"
+#include "tests/program/program.h"
+
+namespace {
+
+using nlohmann::json;
+using program::Folder;
+using program::Outcome;
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(Run, WritesItsFilesAndRefusesToReplaceThem) {
+  const Folder folder;
+  const std::string scene = folder.write("scene.toml", program::small_scene), out = folder.path("out");
+  const Outcome first = program::dem({"run", scene, "--out", out, "--threads", "1"});
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_TRUE(has(first.err, "100.0 %")) << first.err;
+  for (const char* name : {"scene.toml", "frames.pvd", "record.h5", "final.csv", "summary.json"})
+    EXPECT_TRUE(std::filesystem::exists(out + "/" + name)) << name;
+  const json summary = json::parse(program::read(out + "/summary.json"));
+  EXPECT_EQ(summary["steps"], 200);
+  EXPECT_EQ(summary["end"], "finished");
+  const std::string state = program::read(out + "/final.csv");
+
+  const Outcome again = program::dem({"run", scene, "--out", out});
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_TRUE(has(again.err, "holds a run") && has(again.err, "--force")) << again.err;
+  EXPECT_EQ(program::read(out + "/final.csv"), state);
+
+  // --force replaces what a run writes and nothing else.
+  folder.write("out/notes.txt", "mine");
+  const Outcome forced =
+      program::dem({"run", scene, "--out", out, "--force", "--quiet", "--threads", "1", "--set", "run.steps=100"});
+  EXPECT_EQ(forced.exit_code, 0) << forced.err;
+  EXPECT_TRUE(forced.err.empty()) << forced.err;
+  EXPECT_EQ(program::read(out + "/notes.txt"), "mine");
+  EXPECT_NE(program::read(out + "/final.csv"), state);
+  EXPECT_FALSE(has(program::read(out + "/frames.pvd"), "000200.vtp"));
+
+  const Outcome own = program::dem({"run", scene, "--out", folder.path(), "--force"});
+  EXPECT_EQ(own.exit_code, 2);
+  EXPECT_TRUE(has(own.err, "replace its own scene")) << own.err;
+  EXPECT_EQ(program::read(scene), program::small_scene);
+  std::filesystem::create_directory(folder.path("foreign"));
+  folder.write("foreign/notes.txt", "mine");
+  const Outcome foreign = program::dem({"run", scene, "--out", folder.path("foreign")});
+  EXPECT_EQ(foreign.exit_code, 2);
+  EXPECT_TRUE(has(foreign.err, "is not empty")) << foreign.err;
+}
+
+TEST(Run, TheResolvedSceneRunsToTheSameState) {
+  const Folder folder;
+  const std::string scene = folder.write("scene.toml", program::small_scene);
+  ASSERT_EQ(program::dem({"run", scene, "--out", folder.path("a"), "--set", "run.steps=150"}).exit_code, 0);
+  ASSERT_EQ(program::dem({"run", folder.path("a/scene.toml"), "--out", folder.path("b")}).exit_code, 0);
+  EXPECT_EQ(program::read(folder.path("a/final.csv")), program::read(folder.path("b/final.csv")));
+  EXPECT_EQ(program::read(folder.path("a/scene.toml")), program::read(folder.path("b/scene.toml")));
+}
+
+TEST(Check, SaysWhatTheSceneIs) {
+  const Folder folder;
+  const Outcome o = program::dem({"check", folder.write("scene.toml", program::small_scene), "--set", "run.dt=auto"});
+  ASSERT_EQ(o.exit_code, 0) << o.err;
+  for (const char* part : {"bodies: 3", "ball", "egg", "floor", "dt ", "auto", "limit", "200 to t =", "Hertz",
+                           "off: no [[outlet]]", "memory", "per step measured now"})
+    EXPECT_TRUE(has(o.out, part)) << part << "\nnot in\n" << o.out;
+  EXPECT_EQ(folder.files(), std::vector<std::string>{"scene.toml"});
+}
+
+TEST(Check, WarnsOfAStepBeyondTheLimit) {
+  const Folder folder;
+  const Outcome o = program::dem({"check", folder.write("scene.toml", program::small_scene), "--set", "run.dt=1.5e-4"});
+  EXPECT_TRUE(has(o.out, "of the stability limit")) << o.out << o.err;
+}
+
+TEST(List, JsonHasEveryList) {
+  const Outcome o = program::dem({"list", "--json"});
+  ASSERT_EQ(o.exit_code, 0);
+  const json all = json::parse(o.out);
+  EXPECT_EQ(all["shapes"].size(), shapes::kind_count);
+  EXPECT_EQ(all["methods"].size(), static_cast<std::size_t>(contact::methods_end() - contact::methods_begin()));
+  EXPECT_EQ(all["pairs"].size(), shapes::kind_count * (shapes::kind_count + 1) / 2);
+  EXPECT_EQ(all["laws"].size(), 2u);
+  EXPECT_EQ(all["grains"].size(), 120u + 120u + 13u);
+  EXPECT_GT(all["keys"].size(), 80u);
+  for (const json& pair : all["pairs"]) {
+    const std::string a = pair["a"], b = pair["b"];
+    const bool walls = (a == "plane" || a == "mesh") && (b == "plane" || b == "mesh");
+    EXPECT_EQ(pair["methods"].empty(), walls) << a << " " << b;
+  }
+}
+
+TEST(List, EachTopicPrints) {
+  for (const char* topic : {"shapes", "methods", "laws", "pairs", "keys", "grains"}) {
+    const Outcome o = program::dem({"list", topic});
+    EXPECT_EQ(o.exit_code, 0) << topic;
+    EXPECT_GT(std::count(o.out.begin(), o.out.end(), '\n'), 1) << topic;
+  }
+}
+
+TEST(Explain, PrintsTheEntry) {
+  const Outcome o = program::dem({"explain", "run.dt_fraction"});
+  EXPECT_EQ(o.exit_code, 0);
+  EXPECT_TRUE(has(o.out, "0 < dt_fraction <= 0.5") && has(o.out, "default  0.1")) << o.out;
+  EXPECT_TRUE(has(program::dem({"explain", "wall"}).out, "remove_at [s]"));
+}
+
+TEST(Help, EveryCommandHasExamples) {
+  for (const char* command : {"run", "resume", "check", "list", "contact", "render", "explain"}) {
+    const Outcome o = program::dem({command, "--help"});
+    EXPECT_EQ(o.exit_code, 0) << command;
+    EXPECT_TRUE(has(o.out, std::string("dem ") + command)) << o.out;
+    EXPECT_TRUE(has(o.out, "Examples:")) << o.out;
+  }
+  EXPECT_EQ(program::dem({"--version"}).exit_code, 0);
+}
+
+}  // namespace

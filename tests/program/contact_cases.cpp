@@ -1,0 +1,113 @@
+// dem contact on the case file: every 3-D case within its tolerance, right state, bounds that hold and are narrow.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "tests/program/program.h"
+
+namespace {
+
+using nlohmann::json;
+using program::Folder;
+using program::Outcome;
+
+const std::string cases_file = TEST_DATA_DIR "/cases.json";
+
+TEST(ContactCases, EveryCaseIsAnsweredWithinItsTolerance) {
+  const Folder folder;
+  const Outcome o = program::dem({"contact", cases_file, "--json", folder.path("out.json")});
+  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
+  const json cases = json::parse(program::read(cases_file))["cases"];
+  const json results = json::parse(program::read(folder.path("out.json")))["results"];
+  ASSERT_EQ(results.size(), cases.size());
+  const double inf = std::numeric_limits<double>::infinity();
+  int in_space = 0;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const json &c = cases[i], &r = results[i], &e = c["expect"];
+    SCOPED_TRACE(c["id"].get<std::string>());
+    EXPECT_EQ(r["id"], c["id"]);
+    if (c["dim"] == 2) {
+      EXPECT_EQ(r["status"], "refused");
+      continue;
+    }
+    ++in_space;
+    ASSERT_TRUE(r["gap"].is_number());
+    const double gap = r["gap"], lower = r["gap_lower"], upper = r["gap_upper"];
+    const double known = e["signed_gap"], tolerance = e["abs_tol"];
+    EXPECT_LE(std::abs(gap - known), tolerance);
+    // `known` is the double nearest to the exact value.
+    EXPECT_LE(lower, std::nextafter(known, inf));
+    EXPECT_GE(upper, std::nextafter(known, -inf));
+    EXPECT_LE(upper - lower, 4 * tolerance);
+    EXPECT_TRUE(lower <= gap && gap <= upper);
+    if (e["state"] != "touching") {
+      EXPECT_EQ(r["status"], e["state"]);
+    } else {
+      EXPECT_NE(r["status"], "not_converged");
+    }
+    EXPECT_TRUE(r["method"].is_string());
+    EXPECT_TRUE(r["certified"].get<bool>());
+    // The witness points are a gap apart.
+    double square = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double d = r["point_b"][k].get<double>() - r["point_a"][k].get<double>();
+      square += d * d;
+    }
+    double far = 0;
+    for (std::size_t k = 0; k < 3; ++k) far = std::max(far, std::abs(c["pose_a"]["position"][k].get<double>()));
+    EXPECT_NEAR(std::sqrt(square), std::abs(gap), 4 * tolerance + 8 * far * 0x1p-52);
+    if (e["normals"].is_null()) continue;
+    double best = inf;
+    for (const json& n : e["normals"]) {
+      double difference = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double d = n[k].get<double>() - r["normal"][k].get<double>();
+        difference += d * d;
+      }
+      best = std::min(best, 2 * std::asin(std::min(1.0, std::sqrt(difference) / 2)));
+    }
+    EXPECT_LE(best, e["normal_tol"].get<double>());
+  }
+  EXPECT_EQ(in_space, 65);
+  EXPECT_NE(o.out.find("65 of 65 3-D cases within tolerance"), std::string::npos) << o.out;
+}
+
+std::string sphere_case(const std::string& id, const std::string& x) {
+  const std::string shape = R"({"type": "sphere", "radius": 1})";
+  const auto pose = [](const std::string& at) {
+    return "{\"position\": [" + at + ", 0, 0], \"quaternion\": [1, 0, 0, 0]}";
+  };
+  return "{\"id\": \"" + id + "\", \"shape_a\": " + shape + ", \"shape_b\": " + shape + ", \"pose_a\": " + pose("10") +
+         ", \"pose_b\": " + pose(x) + "}";
+}
+
+TEST(ContactCases, AnswersAreInWorldCoordinates) {
+  const Folder folder;
+  const std::string file = folder.write("cases.json", "{\"cases\": [" + sphere_case("apart", "13") + "]}");
+  ASSERT_EQ(program::dem({"contact", file, "--json", folder.path("out.json")}).exit_code, 0);
+  const json r = json::parse(program::read(folder.path("out.json")))["results"][0];
+  EXPECT_EQ(r["status"], "separated");
+  EXPECT_EQ(r["gap"], 1.0);
+  EXPECT_EQ(r["normal"], json({1.0, 0.0, 0.0}));
+  EXPECT_EQ(r["point_a"], json({11.0, 0.0, 0.0}));
+  EXPECT_EQ(r["point_b"], json({12.0, 0.0, 0.0}));
+  EXPECT_EQ(r["method"], "analytic");
+}
+
+TEST(ContactCases, MethodAndTolerance) {
+  const Folder folder;
+  const std::string file = folder.write("cases.json", "{\"cases\": [" + sphere_case("apart", "13.1") + "]}");
+  const Outcome wrong = program::dem({"contact", file, "--method", "analitic"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("did you mean analytic?"), std::string::npos) << wrong.err;
+  // A method that does not answer this pair refuses it: that is an answer.
+  EXPECT_EQ(program::dem({"contact", file, "--method", "support_newton"}).exit_code, 0);
+  // No bounds are as narrow as this.
+  EXPECT_EQ(program::dem({"contact", file, "--tolerance", "1e-30"}).exit_code, 1);
+  EXPECT_EQ(program::dem({"contact", file, "--tolerance", "1e-12"}).exit_code, 0);
+}
+
+}  // namespace
