@@ -1,0 +1,15 @@
+// Patch of a face axis: what lies of one polyhedron under a face of the other, within the face's outline.
+#pragma once
+
+#include "libcontact/methods/patch.h"
+#include "libcontact/methods/polyhedron_pair.h"
+
+namespace contact {
+
+// `face` is a face of pair.self, `deepest` the vertex of pair.other farthest below it, `gap` < 0 its height. Sets
+// witness points on self (in the face) and other, gap·normal apart, and the patch; all in the frame and unit of the
+// pair. When the clipped overlap vanishes the witness is the deepest vertex and false is returned.
+bool face_patch(const PolyhedronPair& pair, std::uint32_t face, std::uint32_t deepest, double gap, Vec3d& on_self,
+                Vec3d& on_other, Patch& patch);
+
+}  // namespace contact

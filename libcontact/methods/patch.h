@@ -1,0 +1,93 @@
+// The overlap of a polyhedron with a plane (or with what lies behind a flat polygon), seen along the plane's normal and
+// weighted by its local depth h: the moments that make a contact patch.
+//
+//   w = ∫h dA,  centre c = ∫x h dA / w,  spread = ∫(x−c)(x−c)ᵀ h dA / w  (in the plane)                       (1)
+//   centre height = −½ ∫h² dA / w: midway, on depth-weighted average, between the plane and the body's surface  (2)
+//
+// Every integral is exact (h is linear over each clipped polygon). Weights go to zero with h, so a point that enters or
+// leaves the patch moves nothing at once.
+#pragma once
+
+#include <cstddef>
+
+#include "libcontact/contact.h"
+
+namespace contact {
+
+// A point of the body's surface over the plane: in-plane coordinates and depth below the plane.
+struct DepthPoint {
+  double u, v, h;
+};
+
+struct DepthMoments {
+  double h = 0, hh = 0, hu = 0, hv = 0, huu = 0, hvv = 0, huv = 0;  // ∫ of the named product over the patch
+  DepthPoint deepest{0, 0, -1};
+  void add(const DepthPoint* polygon, std::size_t count);  // convex, counter-clockwise or clockwise, h >= 0
+};
+
+// Sutherland–Hodgman step: the part of a convex polygon with cu·u + cv·v + ch·h + c >= 0. `out` has room for count + 1.
+std::size_t clip(const DepthPoint* in, std::size_t count, double cu, double cv, double ch, double c, DepthPoint* out);
+
+// Largest polygon that is clipped as a whole; larger ones are cut into a fan of triangles.
+inline constexpr std::size_t polygon_cap = 64;
+
+// Affine map from a polyhedron's geometry to the plane: u = scale·(U·x) + u0, …, depth h = h0 − scale·(N·x), N the
+// plane's unit normal towards the polyhedron; all directions in the polyhedron's body frame.
+struct DepthMap {
+  Vec3d u_axis, v_axis, normal;
+  double scale, u0, v0, h0;
+  DepthPoint operator()(const Vec3d& x) const {
+    return {scale * dot(u_axis, x) + u0, scale * dot(v_axis, x) + v0, h0 - scale * dot(normal, x)};
+  }
+};
+
+// Calls visit(polygon, count) for the part with h > 0 of every face that looks at the plane; count <= polygon_cap + 1.
+template <class Visit>
+void for_each_submerged(const shapes::Polyhedron& p, const DepthMap& map, Visit&& visit) {
+  constexpr std::size_t cap = 256;
+  double height[cap];
+  const std::size_t known = p.vx.size() <= cap ? p.vertices.size() : 0;
+  for (std::size_t i = 0; i < known; ++i)
+    height[i] = map.h0 - map.scale * (map.normal.x * p.vx[i] + map.normal.y * p.vy[i] + map.normal.z * p.vz[i]);
+  const auto depth_of = [&](std::uint32_t i) {
+    return known ? height[i] : map.h0 - map.scale * dot(map.normal, p.vertices[i]);
+  };
+  for (const auto& face : p.faces) {
+    if (dot(face.normal, map.normal) >= 0) continue;
+    const std::uint32_t* loop = p.face_vertices.data() + face.first;
+    bool below = false, above = false;
+    for (std::size_t k = 0; k < face.count; ++k) (depth_of(loop[k]) > 0 ? below : above) = true;
+    if (!below) continue;
+    DepthPoint polygon[polygon_cap], clipped[polygon_cap + 1];
+    const auto emit = [&](std::size_t count) {
+      if (!above) return visit(static_cast<const DepthPoint*>(polygon), count);
+      const std::size_t kept = clip(polygon, count, 0, 0, 1, 0, clipped);
+      if (kept >= 3) visit(static_cast<const DepthPoint*>(clipped), kept);
+    };
+    if (face.count <= polygon_cap) {
+      for (std::size_t k = 0; k < face.count; ++k) polygon[k] = map(p.vertices[loop[k]]);
+      emit(face.count);
+    } else {
+      polygon[0] = map(p.vertices[loop[0]]);
+      for (std::size_t k = 1; k + 1 < face.count; ++k) {
+        polygon[1] = map(p.vertices[loop[k]]);
+        polygon[2] = map(p.vertices[loop[k + 1]]);
+        emit(3);
+      }
+    }
+  }
+}
+
+// Plane of a patch: origin on it, orthonormal axes, u × v = normal; in any frame.
+struct PlaneFrame {
+  Vec3d origin, u, v, normal;
+  Vec3d operator()(double a, double b, double height) const { return origin + a * u + b * v + height * normal; }
+};
+
+// Centre and spread (1)–(2) in the frame of `plane`, lengths in its unit. False when the moments vanish.
+bool make_patch(const DepthMoments& moments, const PlaneFrame& plane, Patch& patch);
+
+// The same patch after x -> rotation·x.
+Patch rotated(const Patch& patch, const Mat3d& rotation);
+
+}  // namespace contact

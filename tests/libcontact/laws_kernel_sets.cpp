@@ -1,0 +1,171 @@
+// Every kernel set of this processor answers the same chunks with the same bits, and those of the scalar laws.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+#include <string>
+
+#include "libcontact/kernels/chunk.h"
+#include "libcontact/laws/mix.h"
+#include "libcontact/laws/normal/hertz.h"
+#include "libcontact/laws/normal/linear.h"
+
+namespace contact::kernels {
+namespace {
+
+class Draw {
+ public:
+  explicit Draw(unsigned seed) : engine_(seed) {}
+  double in(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+  shapes::Vec3d vector(double size) { return {in(-size, size), in(-size, size), in(-size, size)}; }
+  shapes::Vec3d unit() { return shapes::normalized(vector(1) + shapes::Vec3d{0, 0, 2}); }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+void put(Lane3& lane, std::size_t i, const shapes::Vec3d& v) {
+  lane.x[i] = v.x;
+  lane.y[i] = v.y;
+  lane.z[i] = v.z;
+}
+
+// Lanes of every sort: deep, grazing, apart, just come, unloading, sliding, without friction, without damping.
+LawChunk law_chunk(unsigned seed) {
+  Draw draw(seed);
+  LawChunk c;
+  for (std::size_t i = 0; i < chunk_size; ++i) {
+    const auto n = draw.unit(), old = shapes::normalized(n + draw.vector(1e-3));
+    const bool fresh = i % 5 == 0;
+    c.overlap[i] = i % 11 == 10 ? -1e-5 : draw.in(1e-9, 1e-4);
+    put(c.normal, i, n);
+    put(c.velocity, i, draw.vector(i % 7 == 0 ? 0 : 1));
+    c.turn[i] = draw.in(-50, 50);
+    c.radius_eff[i] = draw.in(1e-3, 1e-2);
+    c.mass_eff[i] = draw.in(1e-4, 1e-2);
+    c.young_eff[i] = draw.in(1e6, 1e9);
+    c.shear_eff[i] = 0.3 * c.young_eff[i];
+    c.stiffness_n[i] = draw.in(1e3, 1e6);
+    c.stiffness_t[i] = 0.8 * c.stiffness_n[i];
+    c.friction[i] = i % 6 == 0 ? 0 : draw.in(0.1, 1);
+    c.damping[i] = i % 4 == 0 ? 0 : draw.in(0, 1.5);
+    if (fresh) continue;
+    const auto f = draw.vector(1);
+    put(c.history_force, i, f - old * dot(f, old));
+    put(c.history_normal, i, old);
+    c.history_overlap[i] = draw.in(1e-9, 1e-4);
+    c.history_twist[i] = draw.in(-1e-4, 1e-4);
+    c.spread_xx[i] = draw.in(0, 1e-5);
+    c.spread_yy[i] = draw.in(0, 1e-5);
+    c.spread_zz[i] = draw.in(0, 1e-5);
+    c.spread_xy[i] = 0.1 * c.spread_xx[i];
+    put(c.relative_spin, i, draw.vector(20));
+  }
+  return c;
+}
+
+SphereChunk sphere_chunk(unsigned seed) {
+  Draw draw(seed);
+  SphereChunk s;
+  for (std::size_t i = 0; i < chunk_size; ++i) {
+    s.radius_a[i] = draw.in(1e-3, 1e-2);
+    s.radius_b[i] = draw.in(1e-3, 1e-2);
+    put(s.offset, i, draw.unit() * ((s.radius_a[i] + s.radius_b[i]) * draw.in(0.98, 1.001)));
+    put(s.spin_a, i, draw.vector(100));
+    put(s.spin_b, i, draw.vector(100));
+  }
+  return s;
+}
+
+bool same_bits(const LawChunk& a, const LawChunk& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+TEST(KernelSets, TheNarrowestComesFirstAndTheChosenOneIsAmongThem) {
+  const auto sets = kernel_sets();
+  ASSERT_FALSE(sets.empty());
+  EXPECT_STREQ(sets.front()->name, "sse2");
+  bool found = false;
+  for (const KernelSet* s : sets) found = found || s == &kernels();
+  EXPECT_TRUE(found);
+}
+
+TEST(KernelSets, LawsGiveTheSameBits) {
+  const auto sets = kernel_sets();
+  if (sets.size() < 2) GTEST_SKIP() << "this processor runs one kernel set only";
+  for (const auto law : {&KernelSet::hertz_mindlin, &KernelSet::spring_dashpot, &KernelSet::hertz_mindlin_patch,
+                         &KernelSet::spring_dashpot_patch})
+    for (const bool rescale : {false, true})
+      for (const double dt : {0.0, 1e-6, 1e-4})
+        for (unsigned seed = 0; seed < 20; ++seed) {
+          LawChunk first = law_chunk(seed);
+          (sets[0]->*law)(first, chunk_size, dt, rescale);
+          for (std::size_t k = 1; k < sets.size(); ++k) {
+            LawChunk other = law_chunk(seed);
+            (sets[k]->*law)(other, chunk_size, dt, rescale);
+            EXPECT_TRUE(same_bits(first, other)) << sets[k]->name << ", seed " << seed << ", dt " << dt;
+          }
+        }
+}
+
+TEST(KernelSets, SphereKernelsGiveTheSameBits) {
+  const auto sets = kernel_sets();
+  if (sets.size() < 2) GTEST_SKIP() << "this processor runs one kernel set only";
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    const SphereChunk s = sphere_chunk(seed);
+    LawChunk first = law_chunk(seed);
+    sets[0]->spheres(s, first, chunk_size);
+    sets[0]->hertz_mindlin(first, chunk_size, 1e-6, true);
+    sets[0]->sphere_torques(s, first, chunk_size);
+    for (std::size_t k = 1; k < sets.size(); ++k) {
+      LawChunk other = law_chunk(seed);
+      sets[k]->spheres(s, other, chunk_size);
+      sets[k]->hertz_mindlin(other, chunk_size, 1e-6, true);
+      sets[k]->sphere_torques(s, other, chunk_size);
+      EXPECT_TRUE(same_bits(first, other)) << sets[k]->name << ", seed " << seed;
+    }
+  }
+}
+
+// A lane's answer depends on its own inputs alone: neither on its place nor on how many lanes are asked for.
+TEST(KernelSets, LanesAreIndependent) {
+  for (const KernelSet* set : kernel_sets()) {
+    LawChunk full = law_chunk(3);
+    set->hertz_mindlin(full, chunk_size, 1e-6, true);
+    for (const std::size_t count : {std::size_t(1), std::size_t(5), std::size_t(17)}) {
+      LawChunk part = law_chunk(3);
+      set->hertz_mindlin(part, count, 1e-6, true);
+      for (std::size_t i = 0; i < count; ++i) {
+        EXPECT_EQ(part.force.x[i], full.force.x[i]);
+        EXPECT_EQ(part.history_force.z[i], full.history_force.z[i]);
+      }
+    }
+  }
+}
+
+// The pack's lanes are the scalar template's numbers.
+TEST(KernelSets, LanesAreTheScalarLaw) {
+  LawChunk c = law_chunk(9);
+  const LawChunk in = c;
+  kernels().hertz_mindlin(c, chunk_size, 0.0, true);
+  LawChunk l = law_chunk(9);
+  kernels().spring_dashpot(l, chunk_size, 0.0, true);
+  for (std::size_t i = 0; i < chunk_size; ++i) {
+    const shapes::Vec3d n{in.normal.x[i], in.normal.y[i], in.normal.z[i]};
+    const shapes::Vec3d v{in.velocity.x[i], in.velocity.y[i], in.velocity.z[i]};
+    Kinematics<double> k{};
+    k.overlap = larger(in.overlap[i], 0.0);
+    k.normal = n;
+    k.closing_speed = dot(v, n);
+    k.slip = v - n * k.closing_speed;
+    k.radius_eff = in.radius_eff[i];
+    k.mass_eff = in.mass_eff[i];
+    k.previous_overlap = in.history_overlap[i];
+    const auto hertz = Hertz::update<double>({in.young_eff[i], in.damping[i]}, k);
+    const auto linear = Linear::update<double>({in.stiffness_n[i], in.damping[i]}, k);
+    if (in.friction[i] != 0) continue;  // with friction the tangential part adds to it
+    EXPECT_EQ(c.force.x[i], -(n.x * hertz.force + 0.0)) << i;
+    EXPECT_EQ(l.force.z[i], -(n.z * linear.force + 0.0)) << i;
+  }
+}
+
+}  // namespace
+}  // namespace contact::kernels
