@@ -31,6 +31,7 @@ void add_particle(World& world, std::uint32_t shape, std::uint32_t material, dou
   Particles& p = world.particles;
   p.id.push_back(world.next_id++);
   p.shape.push_back(shape);
+  p.kind.push_back(s.kind);
   p.material.push_back(material);
   p.size.push_back(s.size * scale);
   p.mass.push_back(density * s.volume * cube);

@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "libcontact/dispatch.h"
+#include "libcontact/kernels/records.h"
 #include "libcontact/laws/law.h"
 
 namespace dem {
 
 using contact::Material;
 using contact::PairParameters;
+using contact::Slot;
 using shapes::Vec3d;
 
 // Who touches whom: a is a particle; b a particle (by id) or, above wall_base, a wall; part the mesh facet.
@@ -22,16 +24,12 @@ struct Key {
 };
 inline constexpr std::uint64_t wall_base = std::uint64_t(1) << 63;
 
-struct Slot {                    // what a contact gave this step; zero when not touching
-  Vec3d force{};                 // on a, N
-  Vec3d torque_a{}, torque_b{};  // about the bodies' centres, N m
-};
-
 // The records of one pair of kinds, answered by one function: dispatch happens here, never per pair.
 struct Bin {
   shapes::Kind a = shapes::Kind::sphere, b = shapes::Kind::sphere;
   contact::ChunkQuery query = nullptr;  // null: sphere–sphere and sphere–plane, which have kernels of their own
   std::vector<std::uint32_t> records;
+  std::vector<std::uint32_t> a_index, b_index, pair;  // of each record: its bodies, its pair of materials; padded by 4
 };
 
 struct Contacts {

@@ -36,8 +36,10 @@ struct Scratch {
   std::vector<std::uint32_t> changed;  // records whose contact came or went
   LawChunk law;
   SphereChunk spheres;
-  std::size_t pair[chunk_size];        // the pair of materials that each lane of `law` holds
-  std::uint32_t record[chunk_size] = {};
+  contact::kernels::Lane clearance;
+  std::uint32_t pair_of[chunk_size] = {};
+  std::uint32_t pair[chunk_size];  // the pair of materials that each lane of `law` holds
+  std::uint32_t record[chunk_size] = {}, index_a[chunk_size] = {}, index_b[chunk_size] = {};
   contact::Body a[chunk_size], b[chunk_size];
   Vec3d offset[chunk_size];
   contact::Cache cache[chunk_size];
@@ -63,10 +65,9 @@ class ForcePass {
 
   Tally chunk(const Bin& bin, std::size_t first, Scratch& s) const {
     const std::size_t last = std::min(first + chunk_size, bin.records.size());
-    const auto* records = bin.records.data();
-    if (bin.query != nullptr) return general(bin, records + first, last - first, s);
-    return bin.b == shapes::Kind::plane ? sphere_planes(records + first, last - first, s)
-                                        : sphere_pairs(records + first, last - first, s);
+    if (bin.query != nullptr) return general(bin, first, last - first, s);
+    return bin.b == shapes::Kind::plane ? sphere_planes(bin, first, last - first, s)
+                                        : sphere_pairs(bin, first, last - first, s);
   }
 
  private:
@@ -78,36 +79,36 @@ class ForcePass {
     s.changed.push_back(static_cast<std::uint32_t>(k));
   }
 
-  void load_pair(std::size_t i, std::size_t k, std::uint32_t material_a, std::uint32_t material_b, Scratch& s) const {
+  void load_pair(std::size_t i, std::uint32_t pair, Scratch& s) const {
+    if (pair == s.pair[i]) return;  // lanes keep their pair of materials from chunk to chunk: it seldom changes
     LawChunk& l = s.law;
-    const std::size_t pair = material_a * world_.materials.size() + material_b;
-    if (pair != s.pair[i]) {  // lanes keep their pair of materials from chunk to chunk: it seldom changes
-      const PairParameters& q = world_.pairs[pair];
-      l.young_eff[i] = q.young_eff;
-      l.shear_eff[i] = q.shear_eff;
-      l.stiffness_n[i] = q.stiffness_n;
-      l.stiffness_t[i] = q.stiffness_t;
-      l.friction[i] = q.friction;
-      l.damping[i] = q.damping;
-      s.pair[i] = pair;
-    }
-    const contact::History& h = c_.history[k];
-    put(l.history_force, i, h.force_t);
-    put(l.history_normal, i, h.normal);
-    l.history_overlap[i] = h.overlap;
-    l.history_twist[i] = h.twist;
+    const PairParameters& q = world_.pairs[pair];
+    l.young_eff[i] = q.young_eff;
+    l.shear_eff[i] = q.shear_eff;
+    l.stiffness_n[i] = q.stiffness_n;
+    l.stiffness_t[i] = q.stiffness_t;
+    l.friction[i] = q.friction;
+    l.damping[i] = q.damping;
+    s.pair[i] = pair;
   }
 
-  void store(std::size_t i, std::size_t k, const LawChunk& l, const Vec3d& torque_a, const Vec3d& torque_b,
-             Scratch& s) const {
-    contact::History& h = c_.history[k];
-    h.force_t = get(l.history_force, i);
-    h.normal = get(l.history_normal, i);
-    h.overlap = l.history_overlap[i];
-    h.twist = l.history_twist[i];
-    if (c_.touching[k] == 0) s.changed.push_back(static_cast<std::uint32_t>(k));
-    c_.touching[k] = 1;
-    c_.slot[k] = {get(l.force, i), torque_a, torque_b};
+  // The record numbers of a chunk's lanes, padded for the kernels that take four at a time.
+  static void pad(std::uint32_t* list, std::size_t n) {
+    for (; n % 4 != 0; ++n) list[n] = list[n - 1];
+  }
+  void load_histories(std::size_t n, Scratch& s) const {
+    pad(s.record, n);
+    set_.load_history(c_.history.data(), s.record, n, s.law);
+  }
+  // Histories and slots of a chunk back to their records; the slots are force, couple and couple_b.
+  void store(std::size_t n, Scratch& s) const {
+    set_.store_history(s.law, s.record, n, c_.history.data());
+    set_.store_slots(s.law, s.record, n, c_.slot.data());
+    for (std::size_t i = 0; i < n; ++i) {
+      std::uint8_t& touching = c_.touching[s.record[i]];
+      if (touching == 0) s.changed.push_back(s.record[i]);
+      touching = 1;
+    }
   }
 
   void run_law(LawChunk& l, std::size_t n, bool patch) const {
@@ -118,48 +119,44 @@ class ForcePass {
 
   // Sphere pairs: squared distances first, branch-free, while the memory of those that touch is on its way; then the
   // few that do go through the kernels.
-  Tally sphere_pairs(const std::uint32_t* records, std::size_t count, Scratch& s) const {
+  Tally sphere_pairs(const Bin& bin, std::size_t first, std::size_t count, Scratch& s) const {
     Tally t;
     std::size_t n = 0;
     LawChunk& l = s.law;
+    const std::uint32_t *records = &bin.records[first], *a = &bin.a_index[first], *b = &bin.b_index[first];
+    set_.sphere_clearance(p_.motion.data(), a, b, count, s.clearance);
     for (std::size_t r = 0; r < count; ++r) {
-      const std::uint32_t k = records[r];
-      const Motion &a = p_.motion[c_.index_a[k]], &b = p_.motion[c_.index_b[k]];
-      const Vec3d d = b.position - a.position;
-      const double reach = a.bounding_radius + b.bounding_radius;
-      const bool touches = dot(d, d) < reach * reach;
-      s.record[n] = k;
+      const bool touches = s.clearance[r] < 0;
+      s.record[n] = records[r];
+      s.index_a[n] = a[r];
+      s.index_b[n] = b[r];
+      s.pair_of[n] = bin.pair[first + r];
       n += touches ? 1 : 0;
-      __builtin_prefetch(&c_.history[k], 1);
-      if (!touches && c_.touching[k] != 0) forget(k, s);
+      if (!touches && c_.touching[records[r]] != 0) forget(records[r], s);
     }
     for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t k = s.record[i];
-      const Motion &a = p_.motion[c_.index_a[k]], &b = p_.motion[c_.index_b[k]];
-      put(s.spheres.offset, i, b.position - a.position);
-      s.spheres.radius_a[i] = a.bounding_radius;
-      s.spheres.radius_b[i] = b.bounding_radius;
-      put(s.spheres.spin_a, i, a.spin);
-      put(s.spheres.spin_b, i, b.spin);
-      put(l.velocity, i, a.velocity - b.velocity);
-      l.mass_eff[i] = 1 / (a.inverse_mass + b.inverse_mass);
-      load_pair(i, k, p_.material[c_.index_a[k]], p_.material[c_.index_b[k]], s);
+      __builtin_prefetch(&c_.history[s.record[i]], 1);
+      __builtin_prefetch(&c_.slot[s.record[i]], 1);
+      load_pair(i, s.pair_of[i], s);
     }
+    pad(s.index_a, n);
+    pad(s.index_b, n);
+    set_.gather_spheres(p_.motion.data(), s.index_a, s.index_b, n, s.spheres, l);
+    load_histories(n, s);
     set_.spheres(s.spheres, l, n);
     run_law(l, n, false);
     set_.sphere_torques(s.spheres, l, n);
+    store(n, s);
+    // The squares said touching, the root may round to no overlap.
+    for (std::size_t i = 0; i < n; ++i)
+      if (!(l.history_overlap[i] > 0)) forget(s.record[i], s);
     t.queries = count;
     t.touching = n;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (l.history_overlap[i] > 0)
-        store(i, s.record[i], l, get(l.couple, i), get(l.couple_b, i), s);
-      else
-        forget(s.record[i], s);  // the squares said touching, the root rounds to no overlap
-    }
     return t;
   }
 
-  Tally sphere_planes(const std::uint32_t* records, std::size_t count, Scratch& s) const {
+  Tally sphere_planes(const Bin& bin, std::size_t first, std::size_t count, Scratch& s) const {
+    const std::uint32_t* records = &bin.records[first];
     Tally t;
     std::size_t n = 0;
     LawChunk& l = s.law;
@@ -183,16 +180,19 @@ class ForcePass {
       l.turn[n] = 0.5 * dot(a.spin + wall.spin, normal);
       l.radius_eff[n] = a.bounding_radius;
       l.mass_eff[n] = 1 / a.inverse_mass;
-      load_pair(n, k, p_.material[c_.index_a[k]], wall.material, s);
+      load_pair(n, bin.pair[first + r], s);
       s.arm_a[n] = lever;
       s.arm_b[n] = wall_arm;
       s.record[n++] = static_cast<std::uint32_t>(k);
     }
+    load_histories(n, s);
     run_law(l, n, false);
     for (std::size_t i = 0; i < n; ++i) {
       const Vec3d f = get(l.force, i);
-      store(i, s.record[i], l, cross(s.arm_a[i], f), -cross(s.arm_b[i], f), s);
+      put(l.couple, i, cross(s.arm_a[i], f));
+      put(l.couple_b, i, -cross(s.arm_b[i], f));
     }
+    store(n, s);
     t.queries = count;
     t.touching = n;
     return t;
@@ -215,7 +215,8 @@ class ForcePass {
     return p_.motion[i].inverse_mass + (t.x * t.x / inertia.x + t.y * t.y / inertia.y + t.z * t.z / inertia.z);
   }
 
-  Tally general(const Bin& bin, const std::uint32_t* records, std::size_t count, Scratch& s) const {
+  Tally general(const Bin& bin, std::size_t first, std::size_t count, Scratch& s) const {
+    const std::uint32_t* records = &bin.records[first];
     for (std::size_t r = 0; r < count; ++r) {
       const std::size_t k = records[r];
       const std::uint32_t ia = c_.index_a[k], ib = c_.index_b[k];
@@ -249,16 +250,20 @@ class ForcePass {
         continue;
       }
       if (!q.certified) ++t.uncertified;
+      load_pair(n, bin.pair[first + r], s);
       gather(k, r, n, q, s);
       s.record[n++] = static_cast<std::uint32_t>(k);
     }
     t.touching = n;
     const bool patch = bin.a == shapes::Kind::polyhedron;
+    load_histories(n, s);
     run_law(l, n, patch);
     for (std::size_t i = 0; i < n; ++i) {
       const Vec3d f = get(l.force, i), couple = patch ? get(l.couple, i) : Vec3d{};
-      store(i, s.record[i], l, cross(s.arm_a[i], f) + couple, -cross(s.arm_b[i], f) - couple, s);
+      put(l.couple, i, cross(s.arm_a[i], f) + couple);
+      put(l.couple_b, i, -cross(s.arm_b[i], f) - couple);
     }
+    store(n, s);
     return t;
   }
 
@@ -270,13 +275,11 @@ class ForcePass {
     const Vec3d arm_a = q.patch.centre;
     Vec3d velocity = a.velocity + cross(a.spin, arm_a), arm_b, spin_b;
     double radius = a.equivalent_radius, w = inverse_mass(ia, s.a[r], arm_a, q.normal);
-    std::uint32_t material_b;
     if (c_.key[k].b >= wall_base) {
       const Wall& wall = world_.walls[ib];
       arm_b = a.position + arm_a - wall.position;
       spin_b = wall.spin;
       velocity -= wall.velocity + cross(wall.spin, arm_b);
-      material_b = wall.material;
     } else {
       const Motion& b = p_.motion[ib];
       arm_b = arm_a - s.offset[r];
@@ -284,7 +287,6 @@ class ForcePass {
       velocity -= b.velocity + cross(b.spin, arm_b);
       radius = radius * b.equivalent_radius / (radius + b.equivalent_radius);
       w += inverse_mass(ib, s.b[r], arm_b, q.normal);
-      material_b = p_.material[ib];
     }
     c_.centre[k] = arm_a;
     l.overlap[n] = -q.gap;
@@ -301,7 +303,6 @@ class ForcePass {
     l.spread_xy[n] = m[3];
     l.spread_xz[n] = m[4];
     l.spread_yz[n] = m[5];
-    load_pair(n, k, p_.material[ia], material_b, s);
     s.arm_a[n] = arm_a;
     s.arm_b[n] = arm_b;
   }
@@ -345,7 +346,7 @@ void compute_forces(World& world, int threads, double dt) {
 #pragma omp parallel num_threads(threads)
   {
     static thread_local Scratch scratch;
-    std::fill(std::begin(scratch.pair), std::end(scratch.pair), ~std::size_t(0));
+    std::fill(std::begin(scratch.pair), std::end(scratch.pair), ~std::uint32_t(0));
     Tally mine;
 #pragma omp for schedule(dynamic, 4)
     for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -377,18 +378,13 @@ void sum_forces(World& world, int threads) {
   const auto begin = std::chrono::steady_clock::now();
   const Contacts& c = world.contacts;
   Particles& p = world.particles;
+  const KernelSet& set = contact::kernels::kernels();
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::size_t i = 0; i < p.count(); ++i) {
-    Vec3d force{}, torque{};
-    const std::uint32_t first = c.incidence_start[i];
-    for (std::uint32_t e = first; e < first + c.active_count[i]; ++e) {
-      const Slot& s = c.slot[c.active[e] >> 1];
-      const bool is_b = (c.active[e] & 1) != 0;
-      force += s.force * (is_b ? -1.0 : 1.0);
-      torque += is_b ? s.torque_b : s.torque_a;
-    }
-    p.force[i] = force;
-    p.torque[i] = torque;
+    contact::kernels::Total total;
+    set.sum_slots(c.slot.data(), c.active.data() + c.incidence_start[i], c.active_count[i], total);
+    p.force[i] = {total.force[0], total.force[1], total.force[2]};
+    p.torque[i] = {total.torque[0], total.torque[1], total.torque[2]};
   }
   for (Wall& w : world.walls) w.force = w.torque = {};
   for (const std::uint32_t k : c.wall_records) {

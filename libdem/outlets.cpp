@@ -43,6 +43,7 @@ void remove_behind_outlets(World& world) {
   }
   keep(p.id, leaves);
   keep(p.shape, leaves);
+  keep(p.kind, leaves);
   keep(p.material, leaves);
   keep(p.size, leaves);
   keep(p.motion, leaves);

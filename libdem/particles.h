@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "libcontact/kernels/records.h"
+#include "shapes/list.h"
 #include "shapes/math/quat.h"
 
 namespace dem {
@@ -14,19 +16,12 @@ using shapes::Mat3d;
 using shapes::Quatd;
 using shapes::Vec3d;
 
-// What the contact kernels gather of a body: one and a half cache lines.
-struct Motion {
-  Vec3d position{};            // m
-  double bounding_radius{};    // m
-  Vec3d velocity{};            // m/s; at half steps between kick and drift, else at the time of the position
-  double inverse_mass{};       // 1/kg
-  Vec3d spin{};                // rad/s, world axes
-  double equivalent_radius{};  // m, of the sphere of equal volume
-};
+using contact::Motion;
 
 struct Particles {
   std::vector<std::uint64_t> id;
   std::vector<std::uint32_t> shape;     // index into World::shapes
+  std::vector<shapes::Kind> kind;       // of the shape
   std::vector<std::uint32_t> material;  // index into World::materials
   std::vector<Vec3d> size;  // sphere (r, r, r), ellipsoid semi-axes, polyhedron (scale, scale, scale), m or –
   std::vector<Motion> motion;

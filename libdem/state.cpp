@@ -84,6 +84,7 @@ void particles(Archive& a, W& world) {
   a.list(world.discharge);
   a.list(p.id);
   a.list(p.shape);
+  a.list(p.kind);
   a.list(p.material);
   a.list(p.size);
   a.list(p.motion);

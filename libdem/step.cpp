@@ -19,50 +19,58 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-void kick(World& world, std::size_t i, double h) {
-  Particles& p = world.particles;
-  Motion& m = p.motion[i];
-  m.velocity += (p.force[i] * m.inverse_mass + world.scene.gravity) * h;
-  p.angular_momentum[i] += p.torque[i] * h;
-}
+// One body at a time, all its arrays at hand.
+struct BodyAt {
+  Particles& p;
+  Motion& m;
+  std::size_t i;
+  bool sphere;
+  BodyAt(Particles& particles, std::size_t index)
+      : p(particles), m(particles.motion[index]), i(index), sphere(particles.kind[index] == shapes::Kind::sphere) {}
 
-void set_spin(World& world, std::size_t i, bool sphere) {
-  Particles& p = world.particles;
-  p.motion[i].spin = sphere ? p.angular_momentum[i] * (1 / p.inertia[i].x)
-                            : spin_of(p.orientation[i], p.angular_momentum[i], p.inertia[i]);
-}
-
-bool is_sphere(const World& world, std::size_t i) {
-  return world.shapes[world.particles.shape[i]].kind == shapes::Kind::sphere;
-}
+  [[gnu::always_inline]] void kick(const Vec3d& gravity, double h) {
+    m.velocity += (p.force[i] * m.inverse_mass + gravity) * h;
+    p.angular_momentum[i] += p.torque[i] * h;
+  }
+  [[gnu::always_inline]] void set_spin() {
+    m.spin = sphere ? p.angular_momentum[i] * (1 / p.inertia[i].x)
+                    : spin_of(p.orientation[i], p.angular_momentum[i], p.inertia[i]);
+  }
+  [[gnu::always_inline]] void turn(double dt) {
+    Quatd& q = p.orientation[i];
+    if (sphere) {
+      set_spin();
+      q = rotated_uniformly(q, m.spin, dt);
+    } else {
+      q = rotated_freely(q, p.angular_momentum[i], p.inertia[i], dt);
+      set_spin();
+    }
+    p.rotation[i] += m.spin * dt;
+  }
+};
 
 void kick_and_drift(World& world, int threads, double dt) {
   Particles& p = world.particles;
+  const Vec3d gravity = world.scene.gravity;
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::size_t i = 0; i < p.count(); ++i) {
-    const bool sphere = is_sphere(world, i);
-    kick(world, i, 0.5 * dt);
-    Motion& m = p.motion[i];
-    m.position += m.velocity * dt;
-    if (sphere) {
-      set_spin(world, i, true);
-      p.orientation[i] = rotated_uniformly(p.orientation[i], m.spin, dt);
-    } else {
-      p.orientation[i] = rotated_freely(p.orientation[i], p.angular_momentum[i], p.inertia[i], dt);
-      set_spin(world, i, false);
-    }
-    p.rotation[i] += m.spin * dt;
+    BodyAt body(p, i);
+    body.kick(gravity, 0.5 * dt);
+    body.m.position += body.m.velocity * dt;
+    body.turn(dt);
   }
 }
 
 void kick_again(World& world, int threads, double dt) {
   Particles& p = world.particles;
+  const Vec3d gravity = world.scene.gravity;
   std::size_t bad = p.count();
 #pragma omp parallel for schedule(static) num_threads(threads) reduction(min : bad)
   for (std::size_t i = 0; i < p.count(); ++i) {
-    kick(world, i, 0.5 * dt);
-    set_spin(world, i, is_sphere(world, i));
-    const Motion& m = p.motion[i];
+    BodyAt body(p, i);
+    body.kick(gravity, 0.5 * dt);
+    body.set_spin();
+    const Motion& m = body.m;
     const double probe = (m.position.x + m.position.y + m.position.z) + (m.velocity.x + m.velocity.y + m.velocity.z) +
                          (m.spin.x + m.spin.y + m.spin.z);
     if (!std::isfinite(probe) && i < bad) bad = i;

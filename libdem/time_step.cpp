@@ -1,6 +1,7 @@
 // Stability limits of the step (contract 4).
 //   one contact: ω² = largest eigenvalue of K^½ W K^½ ≤ max(kn wn, kt wt),  w = inverse mass of the contact point;
 //   limit = (2/ω)(sqrt(1+β²) − β) with a dashpot that sees half-step velocities                                   (1)
+//   (a bound: the law lessens its dashpot by lag_factor, which alone would allow (2/ω)/sqrt(1+2β))
 //   many contacts: λmax ≤ max over contacts of (rows of a + rows of b), a weighted-graph bound (Anderson & Morley,
 //   1985)
 #include <algorithm>
@@ -22,7 +23,7 @@ Compliance compliance(const World& world, std::size_t i) {
   const Motion& m = p.motion[i];
   const Vec3d& inertia = p.inertia[i];
   const double smallest = std::min({inertia.x, inertia.y, inertia.z}), r = m.bounding_radius;
-  const bool sphere = world.shapes[p.shape[i]].kind == shapes::Kind::sphere;
+  const bool sphere = p.kind[i] == shapes::Kind::sphere;
   // Across the body's longest line the lever of a normal force is at most half the difference to the inscribed sphere.
   const double inscribed = world.shapes[p.shape[i]].inscribed_radius * (r / world.shapes[p.shape[i]].circumradius);
   const double arm2 = sphere ? 0 : r * r - inscribed * inscribed;

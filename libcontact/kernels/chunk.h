@@ -3,11 +3,16 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
+
+#include "libcontact/kernels/records.h"
 
 namespace contact::kernels {
 
 inline constexpr std::size_t chunk_size = 32;  // contacts; a multiple of every pack width
+
+using Index = std::uint32_t;
 
 struct alignas(64) Lane {
   double v[chunk_size] = {};
@@ -41,14 +46,28 @@ struct LawChunk {
   Lane spread_xx, spread_yy, spread_zz, spread_xy, spread_xz, spread_yz;
   Lane3 relative_spin;
   // answers
-  Lane3 force;                           // on a, N
-  Lane3 couple;                          // on a, N m (patch), or for spheres the torque on a
-  Lane3 couple_b;                        // spheres: the torque on b
+  Lane3 force;     // on a, N
+  Lane3 couple;    // on a, N m (patch), or for spheres the torque on a
+  Lane3 couple_b;  // spheres: the torque on b
 };
 
 using LawKernel = void (*)(LawChunk& chunk, std::size_t count, double dt, bool rescale);
 using SphereKernel = void (*)(const SphereChunk& in, LawChunk& chunk, std::size_t count);
 using SphereTorqueKernel = void (*)(const SphereChunk& in, LawChunk& chunk, std::size_t count);
+
+// Index lists hold a multiple of four entries at least (padded with any valid index); `count` says how many are meant.
+// Squared distance of the centres minus the squared sum of the radii: negative when the spheres overlap.
+using ClearanceKernel = void (*)(const Motion* motion, const Index* a, const Index* b, std::size_t count, Lane& out);
+using GatherKernel = void (*)(const Motion* motion, const Index* a, const Index* b, std::size_t count, SphereChunk& out,
+                              LawChunk& chunk);
+using LoadHistoryKernel = void (*)(const History* history, const Index* record, std::size_t count, LawChunk& chunk);
+using StoreHistoryKernel = void (*)(const LawChunk& chunk, const Index* record, std::size_t count, History* history);
+using StoreSlotsKernel = void (*)(const LawChunk& chunk, const Index* record, std::size_t count, Slot* slot);
+struct Total {
+  alignas(32) double force[4], torque[4];
+};
+// Adds the slots of one particle in the order of its list (entry = record · 2 + (1 when the particle is b)).
+using SumKernel = void (*)(const Slot* slot, const Index* active, std::size_t count, Total& total);
 
 struct KernelSet {
   const char* name;                                     // sse2, avx2, avx512
@@ -56,6 +75,12 @@ struct KernelSet {
   SphereTorqueKernel sphere_torques;                    // after it
   LawKernel hertz_mindlin, spring_dashpot;              // point contacts
   LawKernel hertz_mindlin_patch, spring_dashpot_patch;  // contacts over a patch
+  ClearanceKernel sphere_clearance;
+  GatherKernel gather_spheres;
+  LoadHistoryKernel load_history;
+  StoreHistoryKernel store_history;
+  StoreSlotsKernel store_slots;  // force, couple, couple_b
+  SumKernel sum_slots;
 };
 
 // The best set this processor runs; the environment variable DEM_SIMD (sse2 | avx2 | avx512) asks for another. Every

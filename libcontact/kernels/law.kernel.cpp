@@ -1,6 +1,6 @@
 // The law kernels over a chunk, compiled once per instruction set. Lanes run across contacts; lanes past `count` work
 // on whatever numbers they hold and are never read.
-#include "libcontact/kernels/chunk.h"
+#include "libcontact/kernels/gather.h"
 #include "libcontact/laws/normal/hertz.h"
 #include "libcontact/laws/normal/linear.h"
 #include "libcontact/laws/tangential/coulomb_spring.h"
@@ -86,8 +86,7 @@ void law_kernel(LawChunk& c, std::size_t count, double dt_scalar, bool rescale) 
     const Pack part = select(travelled > depth, depth / select(travelled > depth, travelled, one), one);
     const Pack dt_contact = select(fresh, part * dt, dt);
     const Pack onset = select(fresh && travelled > zero, part, zero);
-    const Kinematics<Pack> k{
-        depth, n, vn, v - n * vn, load(c.radius_eff, i), load(c.mass_eff, i), before, dt, onset};
+    const Kinematics<Pack> k{depth, n, vn, v - n * vn, load(c.radius_eff, i), load(c.mass_eff, i), before, dt, onset};
     const NormalForce<Pack> f = Law::normal(c, i, k);
     Pack shrink = one;
     if (Law::shrinks && rescale) {
@@ -145,7 +144,13 @@ const KernelSet& kernel_set() {
                                  law_kernel<HertzMindlin, false>,
                                  law_kernel<SpringDashpot, false>,
                                  law_kernel<HertzMindlin, true>,
-                                 law_kernel<SpringDashpot, true>};
+                                 law_kernel<SpringDashpot, true>,
+                                 sphere_clearance,
+                                 gather_spheres,
+                                 load_history,
+                                 store_history,
+                                 store_slots,
+                                 sum_slots};
   return set;
 }
 

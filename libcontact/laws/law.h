@@ -30,11 +30,11 @@ struct PairParameters {
 };
 
 // One contact record's memory, in world axes.
-struct History {
-  shapes::Vec3d force_t{};  // elastic tangential force on b's side, N (spring stretched by the slip of a over b)
-  double overlap = 0;       // of the last step, m; 0: was not touching
-  shapes::Vec3d normal{};   // of the last step
-  double twist = 0;         // patch only: elastic moment about the normal, N m
+struct alignas(64) History {  // one cache line
+  shapes::Vec3d force_t{};    // elastic tangential force on b's side, N (spring stretched by the slip of a over b)
+  double overlap = 0;         // of the last step, m; 0: was not touching
+  shapes::Vec3d normal{};     // of the last step
+  double twist = 0;           // patch only: elastic moment about the normal, N m
 };
 static_assert(sizeof(History) == 64);
 

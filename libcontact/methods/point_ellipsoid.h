@@ -26,4 +26,10 @@ struct EllipsoidFoot {
 
 EllipsoidFoot nearest_on_ellipsoid(const shapes::Vec3d& semi_axes, const shapes::Vec3d& y);
 
+// The other local minimum of the distance to the surface that an inner point may have, across the medial disc: with
+// a_k < a_j the two smallest semi-axes, the root of (1) in −(a_j² − a_k²) < s < 0 that is nearest to 0. A minimum needs
+// at most one negative coefficient 1 + t/a_i², so there is no third. False when there is none. Newton's method on G,
+// convex there, from s = −z_k: monotone.
+bool second_foot(const shapes::Vec3d& semi_axes, const shapes::Vec3d& y, EllipsoidFoot& foot);
+
 }  // namespace contact

@@ -59,12 +59,23 @@ void edge_witness(const PolyhedronPair& pair, const EdgeAxis& axis, double gap, 
   c.point_b = c.point_a + gap * axis.normal;
 }
 
+// The query of (b, a, −offset): a cached axis is A's to the caller, B's there.
+Contact from_the_other(const Placed<shapes::Polyhedron>& a, const Placed<shapes::Polyhedron>& b, const Vec3d& offset,
+                       const Options& options, Cache* cache) {
+  if (cache == nullptr) return Sat::query(b, a, -offset, options, nullptr);
+  Cache other{-transposed_times(b.rotation, a.rotation * cache->axis)};
+  const Contact c = Sat::query(b, a, -offset, options, &other);
+  cache->axis = -transposed_times(a.rotation, b.rotation * other.axis);
+  return c;
+}
+
 }  // namespace
 
 Contact Sat::query(const Placed<shapes::Polyhedron>& a, const Placed<shapes::Polyhedron>& b, const Vec3d& offset,
                    const Options& options, Cache* cache) {
+  if (seen_from_b(offset)) return exchanged(from_the_other(a, b, offset, options, cache), offset);
   const double radius_a = a.scale * a.shape->circumradius, radius_b = b.scale * b.shape->circumradius;
-  const double extent = max_abs(offset) + radius_a + radius_b;
+  const double extent = max_abs(offset) + (radius_a + radius_b);
   if (!(a.scale > 0 && b.scale > 0 && extent_in_range(extent) && all_at_least(offset, -extent))) return refused();
   const Scale unit = scale_of(extent);
   const Vec3d d_world = unit.down * offset;

@@ -62,7 +62,6 @@ void particle_pairs(const World& world, int threads, Rows& rows) {
   const std::size_t n = p.count();
   const Cells cells(
       n, [&](std::size_t i) -> const Vec3d& { return p.motion[i].position; }, reach_of(world));
-  const auto kind = [&](std::size_t i) { return world.shapes[p.shape[i]].kind; };
   std::vector<shapes::Mat3d> frames;
   for (const Wall& w : world.walls) frames.push_back(shapes::rotation_matrix(w.orientation));
   const std::size_t block = 256, blocks = (n + block - 1) / block;
@@ -82,7 +81,7 @@ void particle_pairs(const World& world, int threads, Rows& rows) {
       std::sort(partners.begin(), partners.end(), [&](std::uint32_t x, std::uint32_t y) { return p.id[x] < p.id[y]; });
       for (const std::uint32_t j : partners) {
         const auto a = static_cast<std::uint32_t>(i);
-        const bool swap = kind(j) < kind(i);
+        const bool swap = p.kind[j] < p.kind[i];
         rows[r].push_back({{p.id[i], p.id[j], 0}, swap ? j : a, swap ? a : j});
       }
       wall_candidates(world, i, frames, rows[r]);
@@ -142,6 +141,7 @@ void sort_in_space(World& world) {
   const std::vector<std::uint32_t>& order = cells.order();
   permute(p.id, order);
   permute(p.shape, order);
+  permute(p.kind, order);
   permute(p.material, order);
   permute(p.size, order);
   permute(p.motion, order);
@@ -165,17 +165,24 @@ void fill_bins(World& world) {
   bool all_spheres = true;
   for (std::size_t k = 0; k < c.count(); ++k) {
     const bool wall = c.key[k].b >= wall_base;
-    const shapes::Kind a = world.shapes[p.shape[c.index_a[k]]].kind;
-    const shapes::Kind b = wall ? world.walls[c.index_b[k]].kind : world.shapes[p.shape[c.index_b[k]]].kind;
+    const shapes::Kind a = p.kind[c.index_a[k]];
+    const shapes::Kind b = wall ? world.walls[c.index_b[k]].kind : p.kind[c.index_b[k]];
     int& bin = bin_of[static_cast<std::size_t>(a) * shapes::kind_count + static_cast<std::size_t>(b)];
     if (bin < 0) {
       bin = static_cast<int>(c.bins.size());
       const bool closed = a == shapes::Kind::sphere && (b == shapes::Kind::sphere || b == shapes::Kind::plane);
       all_spheres = all_spheres && closed;
-      c.bins.push_back({a, b, closed ? nullptr : contact::find(a, b, world.scene.method), {}});
+      c.bins.push_back({a, b, closed ? nullptr : contact::find(a, b, world.scene.method), {}, {}, {}, {}});
     }
-    c.bins[static_cast<std::size_t>(bin)].records.push_back(static_cast<std::uint32_t>(k));
+    const std::uint32_t material_b = wall ? world.walls[c.index_b[k]].material : p.material[c.index_b[k]];
+    Bin& list = c.bins[static_cast<std::size_t>(bin)];
+    list.records.push_back(static_cast<std::uint32_t>(k));
+    list.a_index.push_back(c.index_a[k]);
+    list.b_index.push_back(c.index_b[k]);
+    list.pair.push_back(p.material[c.index_a[k]] * static_cast<std::uint32_t>(world.materials.size()) + material_b);
   }
+  for (Bin& list : c.bins)
+    for (auto* v : {&list.a_index, &list.b_index, &list.pair}) v->resize(v->size() + 3, v->back());
   c.centre.resize(all_spheres ? 0 : c.count());
 }
 

@@ -126,6 +126,8 @@ void get_particles(const hdf5::File& file, const std::string& at, World& world) 
   Particles& p = world.particles;
   p.id = file.get<std::uint64_t>(at + "/id");
   p.shape = file.get<std::uint32_t>(at + "/shape");
+  p.kind.clear();
+  for (const std::uint32_t shape : p.shape) p.kind.push_back(world.shapes.at(shape).kind);
   p.material = file.get<std::uint32_t>(at + "/material");
   const std::size_t n = p.id.size();
   const auto vectors = [&](const std::string& name) {

@@ -44,7 +44,9 @@ class Led {
     return -(f - n * dot(f, n));
   }
   double normal_force() const { return -dot(get(chunk_->force), get(chunk_->normal)); }
-  double stiffness_t() const { return 8 * chunk_->shear_eff[0] * std::sqrt(chunk_->radius_eff[0] * chunk_->overlap[0]); }
+  double stiffness_t() const {
+    return 8 * chunk_->shear_eff[0] * std::sqrt(chunk_->radius_eff[0] * chunk_->overlap[0]);
+  }
 
  private:
   std::unique_ptr<LawChunk> chunk_ = std::make_unique<LawChunk>();

@@ -3,10 +3,13 @@
 //   Fe = 4/3 E* a δ                      elastic force      [N]     (9.6)
 //   kn = dFe/dδ = 2 E* a                 tangent stiffness  [N/m]   (9.7)
 //   cn = 2 sqrt(5/6) β sqrt(m* kn)       dashpot            [N s/m] (9.26) with the factor that Hertz needs
-//   F  = max(0, Fe + cn dδ/dt)                              [N]
+//   F  = max(0, Fe + s w cn dδ/dt)                          [N]     s: lag_factor of kinematics.h
+//   w  = (4/5)(f + ½) ((f + ½)/f)^¼ in the first step of a contact, of which the part f was spent in contact, else 1:
+//        the step's force stands for the time f dt + dt/2, in which the dashpot's grows as t^¼
 // Source: Seville & Wu, Particle Technology and Engineering (2016), ch. 9; Tsuji, Tanaka, Ishida, Powder Technol. 71
-// (1992) 239. Valid a << R*. With β from clipped_damping(e) the rebound speed ratio is e at every impact speed. Cost:
-// two square roots. Tests: tests/libcontact/laws.cpp, tests/libdem/two_bodies.cpp
+// (1992) 239. Valid a << R*. With β from clipped_damping(e) the rebound speed ratio is e at every impact speed, within
+// 0.2 % at dt = contact time/50. Cost: five square roots. Tests: tests/libcontact/laws_*.cpp,
+// tests/libdem/two_bodies_*.cpp
 #pragma once
 
 #include "libcontact/laws/kinematics.h"
@@ -25,8 +28,12 @@ struct Hertz {
     const T a = sqrt(k.radius_eff * k.overlap);                              // (8.12)
     const T kn = T(2) * p.young_eff * a;                                     // (9.7)
     const T fe = T(2.0 / 3.0) * kn * k.overlap;                              // (9.6)
-    const T cn = T(1.8257418583505538) * p.damping * sqrt(k.mass_eff * kn);  // 2 sqrt(5/6)
-    const T f = larger(fe + cn * k.closing_speed, T(0));
+    const T c0 = T(1.8257418583505538) * p.damping * sqrt(k.mass_eff * kn);  // 2 sqrt(5/6)
+    const T cn = c0 * lag_factor(c0, k.mass_eff, k.dt, 10.0 / 11.0);
+    const auto begins = k.onset > T(0);
+    const T x = select(begins, k.onset, T(1)), since = x + T(0.5);
+    const T w = select(begins, T(0.8) * since * sqrt(sqrt(since / x)), T(1));
+    const T f = larger(fe + w * cn * k.closing_speed, T(0));
     return {f, fe, kn, cn, a};
   }
 };

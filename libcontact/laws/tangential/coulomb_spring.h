@@ -6,7 +6,7 @@
 // slip and loading again creates energy (Agnolin & Roux, Phys. Rev. E 76 (2007) 061302). Rotation of the history:
 // minimal rotation of the old normal to the new one, then the mean spin about the normal; both keep the length to
 // rounding. First contact within a step: only the part of the step spent in contact slips. Tests:
-// tests/libcontact/laws.cpp
+// tests/libcontact/laws_tangential.cpp
 #pragma once
 
 #include "libcontact/laws/kinematics.h"

@@ -1,0 +1,18 @@
+// Between records in memory and lanes: inside the kernels only (compiled once per instruction set).
+#pragma once
+
+#include "libcontact/kernels/chunk.h"
+
+namespace contact::kernels {
+inline namespace KERNEL_SET {
+
+void sphere_clearance(const Motion* motion, const Index* a, const Index* b, std::size_t count, Lane& out);
+void gather_spheres(const Motion* motion, const Index* a, const Index* b, std::size_t count, SphereChunk& s,
+                    LawChunk& c);
+void load_history(const History* history, const Index* record, std::size_t count, LawChunk& c);
+void store_history(const LawChunk& c, const Index* record, std::size_t count, History* history);
+void store_slots(const LawChunk& c, const Index* record, std::size_t count, Slot* slot);
+void sum_slots(const Slot* slot, const Index* active, std::size_t count, Total& total);
+
+}  // namespace KERNEL_SET
+}  // namespace contact::kernels

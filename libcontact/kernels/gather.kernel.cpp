@@ -1,0 +1,127 @@
+// Four records at a time are turned into lanes and back: rows of four doubles are loaded whole and transposed in
+// registers, which costs a third of moving the numbers one by one. Arithmetic is lane by lane: every set gives the same
+// bits. Index lists are padded to a multiple of four by the caller (any valid record will do).
+#include "libcontact/kernels/gather.h"
+
+#include <cstdint>
+
+namespace contact::kernels {
+inline namespace KERNEL_SET {
+namespace {
+
+using Row = double __attribute__((vector_size(32), may_alias));
+using Order = std::int64_t __attribute__((vector_size(32)));
+
+// Row `row` of record `index`; records are aligned to rows.
+[[gnu::always_inline]] inline const Row& row_of(const void* base, std::size_t size, Index index, std::size_t row) {
+  return *reinterpret_cast<const Row*>(static_cast<const char*>(base) + index * size + row * sizeof(Row));
+}
+[[gnu::always_inline]] inline Row& row_of(void* base, std::size_t size, Index index, std::size_t row) {
+  return *reinterpret_cast<Row*>(static_cast<char*>(base) + index * size + row * sizeof(Row));
+}
+[[gnu::always_inline]] inline Row& lane_of(Lane& lane, std::size_t i) { return *reinterpret_cast<Row*>(&lane.v[i]); }
+[[gnu::always_inline]] inline const Row& lane_of(const Lane& lane, std::size_t i) {
+  return *reinterpret_cast<const Row*>(&lane.v[i]);
+}
+
+struct Rows {  // four rows, one per record; after `turn` four lanes
+  Row a, b, c, d;
+
+  [[gnu::always_inline]] static Rows load(const void* base, std::size_t size, const Index* index, std::size_t row) {
+    return {row_of(base, size, index[0], row), row_of(base, size, index[1], row), row_of(base, size, index[2], row),
+            row_of(base, size, index[3], row)};
+  }
+  [[gnu::always_inline]] Rows turned() const {
+    const Row p = __builtin_shuffle(a, b, Order{0, 4, 2, 6}), q = __builtin_shuffle(a, b, Order{1, 5, 3, 7});
+    const Row r = __builtin_shuffle(c, d, Order{0, 4, 2, 6}), s = __builtin_shuffle(c, d, Order{1, 5, 3, 7});
+    return {__builtin_shuffle(p, r, Order{0, 1, 4, 5}), __builtin_shuffle(q, s, Order{0, 1, 4, 5}),
+            __builtin_shuffle(p, r, Order{2, 3, 6, 7}), __builtin_shuffle(q, s, Order{2, 3, 6, 7})};
+  }
+  [[gnu::always_inline]] void store(void* base, std::size_t size, const Index* index, std::size_t row,
+                                    std::size_t count) const {
+    row_of(base, size, index[0], row) = a;
+    if (count > 1) row_of(base, size, index[1], row) = b;
+    if (count > 2) row_of(base, size, index[2], row) = c;
+    if (count > 3) row_of(base, size, index[3], row) = d;
+  }
+};
+
+[[gnu::always_inline]] inline Rows lanes(const Lane3& v, const Lane& w, std::size_t i) {
+  return {lane_of(v.x, i), lane_of(v.y, i), lane_of(v.z, i), lane_of(w, i)};
+}
+[[gnu::always_inline]] inline void put(Lane3& v, std::size_t i, const Row& x, const Row& y, const Row& z) {
+  lane_of(v.x, i) = x;
+  lane_of(v.y, i) = y;
+  lane_of(v.z, i) = z;
+}
+
+}  // namespace
+
+void sphere_clearance(const Motion* motion, const Index* a, const Index* b, std::size_t count, Lane& out) {
+  for (std::size_t i = 0; i < count; i += 4) {
+    const Rows pa = Rows::load(motion, sizeof(Motion), a + i, 0).turned();
+    const Rows pb = Rows::load(motion, sizeof(Motion), b + i, 0).turned();
+    const Row x = pb.a - pa.a, y = pb.b - pa.b, z = pb.c - pa.c, reach = pa.d + pb.d;
+    lane_of(out, i) = (x * x + y * y + z * z) - reach * reach;
+  }
+}
+
+void gather_spheres(const Motion* motion, const Index* a, const Index* b, std::size_t count, SphereChunk& s,
+                    LawChunk& c) {
+  for (std::size_t i = 0; i < count; i += 4) {
+    const Rows pa = Rows::load(motion, sizeof(Motion), a + i, 0).turned();
+    const Rows pb = Rows::load(motion, sizeof(Motion), b + i, 0).turned();
+    put(s.offset, i, pb.a - pa.a, pb.b - pa.b, pb.c - pa.c);
+    lane_of(s.radius_a, i) = pa.d;
+    lane_of(s.radius_b, i) = pb.d;
+    const Rows va = Rows::load(motion, sizeof(Motion), a + i, 1).turned();
+    const Rows vb = Rows::load(motion, sizeof(Motion), b + i, 1).turned();
+    put(c.velocity, i, va.a - vb.a, va.b - vb.b, va.c - vb.c);
+    lane_of(c.mass_eff, i) = Row{1, 1, 1, 1} / (va.d + vb.d);
+    const Rows wa = Rows::load(motion, sizeof(Motion), a + i, 2).turned();
+    const Rows wb = Rows::load(motion, sizeof(Motion), b + i, 2).turned();
+    put(s.spin_a, i, wa.a, wa.b, wa.c);
+    put(s.spin_b, i, wb.a, wb.b, wb.c);
+  }
+}
+
+void load_history(const History* history, const Index* record, std::size_t count, LawChunk& c) {
+  for (std::size_t i = 0; i < count; i += 4) {
+    const Rows p = Rows::load(history, sizeof(History), record + i, 0).turned();
+    const Rows q = Rows::load(history, sizeof(History), record + i, 1).turned();
+    put(c.history_force, i, p.a, p.b, p.c);
+    lane_of(c.history_overlap, i) = p.d;
+    put(c.history_normal, i, q.a, q.b, q.c);
+    lane_of(c.history_twist, i) = q.d;
+  }
+}
+
+void store_history(const LawChunk& c, const Index* record, std::size_t count, History* history) {
+  for (std::size_t i = 0; i < count; i += 4) {
+    lanes(c.history_force, c.history_overlap, i).turned().store(history, sizeof(History), record + i, 0, count - i);
+    lanes(c.history_normal, c.history_twist, i).turned().store(history, sizeof(History), record + i, 1, count - i);
+  }
+}
+
+void store_slots(const LawChunk& c, const Index* record, std::size_t count, Slot* slot) {
+  for (std::size_t i = 0; i < count; i += 4) {  // the fourth of each row is never read
+    lanes(c.force, c.overlap, i).turned().store(slot, sizeof(Slot), record + i, 0, count - i);
+    lanes(c.couple, c.overlap, i).turned().store(slot, sizeof(Slot), record + i, 1, count - i);
+    lanes(c.couple_b, c.overlap, i).turned().store(slot, sizeof(Slot), record + i, 2, count - i);
+  }
+}
+
+void sum_slots(const Slot* slot, const Index* active, std::size_t count, Total& total) {
+  Row force{}, torque{};
+  for (std::size_t e = 0; e < count; ++e) {
+    const Index is_b = active[e] & 1;
+    const Row& f = row_of(slot, sizeof(Slot), active[e] >> 1, 0);
+    force += is_b != 0 ? -f : f;
+    torque += row_of(slot, sizeof(Slot), active[e] >> 1, 1 + is_b);
+  }
+  *reinterpret_cast<Row*>(total.force) = force;
+  *reinterpret_cast<Row*>(total.torque) = torque;
+}
+
+}  // namespace KERNEL_SET
+}  // namespace contact::kernels

@@ -1,0 +1,143 @@
+// The same bits for any number of threads, any skin and rebuild, across a restart, whoever looks on, on every
+// instruction set: a tray into which bodies of every shape collapse.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
+#include "libcontact/kernels/chunk.h"
+#include "tests/libdem/scenes_in_code.h"
+
+namespace dem {
+namespace {
+
+constexpr std::uint64_t bodies = 300, steps = 600;
+
+// The reference: one thread, automatic skin.
+struct Reference {
+  Scene scene = scenes::every_shape(bodies);
+  World world = scenes::run(scene, steps);
+  std::uint64_t hash = state_hash(world);
+};
+const Reference& reference() {
+  static const Reference r;
+  return r;
+}
+
+TEST(Determinism, TheSceneHasContactsOfEveryKind) {
+  const World& w = reference().world;
+  std::array<std::array<int, shapes::kind_count>, shapes::kind_count> seen{};
+  int walls = 0;
+  for (std::size_t k = 0; k < w.contacts.count(); ++k) {
+    if (w.contacts.touching[k] == 0) continue;
+    const bool wall = w.contacts.key[k].b >= wall_base;
+    const auto a = w.shapes[w.particles.shape[w.contacts.index_a[k]]].kind;
+    const auto b = wall ? w.walls[w.contacts.index_b[k]].kind : w.shapes[w.particles.shape[w.contacts.index_b[k]]].kind;
+    ++seen[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
+    walls += wall ? 1 : 0;
+  }
+  const auto n = [&](shapes::Kind a, shapes::Kind b) {
+    return seen[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
+  };
+  using shapes::Kind;
+  for (const Kind b : {Kind::sphere, Kind::ellipsoid, Kind::polyhedron, Kind::plane, Kind::mesh})
+    for (const Kind a : {Kind::sphere, Kind::ellipsoid, Kind::polyhedron})
+      EXPECT_TRUE(a > b || n(a, b) > 0) << static_cast<int>(a) << " with " << static_cast<int>(b);
+  std::printf("  %d contacts with walls, %.2f contacts per particle, %llu rebuilds\n", walls, contacts_per_particle(w),
+              static_cast<unsigned long long>(w.counters.rebuilds));
+  EXPECT_EQ(w.counters.not_converged, 0u);
+}
+
+TEST(Determinism, TwoThreadsDoNotMatter) {
+  EXPECT_EQ(state_hash(scenes::run(reference().scene, steps, 2)), reference().hash);
+}
+TEST(Determinism, ThreeThreadsDoNotMatter) {
+  EXPECT_EQ(state_hash(scenes::run(reference().scene, steps, 3)), reference().hash);
+}
+
+void expect_same_with_skin(double factor) {
+  Scene s = reference().scene;
+  s.run.skin = factor * reference().world.skin;
+  const World w = scenes::run(s, steps);
+  EXPECT_NE(w.counters.rebuilds, reference().world.counters.rebuilds);
+  EXPECT_EQ(state_hash(w), reference().hash);
+}
+TEST(Determinism, ASmallSkinDoesNotMatter) { expect_same_with_skin(0.1); }
+TEST(Determinism, ALargeSkinDoesNotMatter) { expect_same_with_skin(4); }
+
+TEST(Determinism, ARebuildAtEveryStepDoesNotMatter) {
+  Scene s = reference().scene;
+  s.run.rebuild_every = 1;
+  EXPECT_EQ(state_hash(scenes::run(s, steps)), reference().hash);
+}
+
+TEST(Determinism, ARestartDoesNotMatter) {
+  for (const std::uint64_t at : {std::uint64_t(350), std::uint64_t(561)}) {
+    World first = scenes::run(reference().scene, at);
+    ASSERT_FALSE(touching_contacts(first).empty());
+    const auto bytes = save_state(first);
+    World second = build_world(reference().scene);
+    load_state(second, bytes);
+    EXPECT_EQ(state_hash(second), state_hash(first));
+    EXPECT_EQ(second.step, at);
+    while (second.step < steps) advance(second, 1);
+    EXPECT_EQ(state_hash(second), reference().hash) << "saved at step " << at;
+  }
+}
+
+TEST(Determinism, LookingOnDoesNotMatter) {
+  World w = build_world(reference().scene);
+  double seen = 0;
+  for (std::uint64_t i = 0; i < steps; ++i) {
+    advance(w, 1);
+    if (i % 50 != 7) continue;
+    seen += static_cast<double>(touching_contacts(w).size()) + energies(w).elastic + scenes::length(momentum(w)) +
+            static_cast<double>(save_state(w).size()) + contacts_per_particle(w);
+  }
+  EXPECT_GT(seen, 0);
+  EXPECT_EQ(state_hash(w), reference().hash);
+}
+
+TEST(Determinism, ADifferentSeedIsSeen) {  // the hash can tell
+  Scene s = reference().scene;
+  s.run.seed = 2;
+  EXPECT_NE(state_hash(scenes::run(s, 1)), state_hash(scenes::run(reference().scene, 1)));
+}
+
+// What another process, asked for another instruction set, prints.
+TEST(Determinism, PrintsItsHash) {
+  const World w = scenes::run(scenes::every_shape(200), 500);
+  std::printf("kernels %s hash %016llx\n", contact::kernels::kernels().name,
+              static_cast<unsigned long long>(state_hash(w)));
+  EXPECT_GT(w.counters.contact_steps, 1000u);
+}
+
+std::string hash_under(const std::string& set) {
+  const std::string command =
+      "DEM_SIMD=" + set + " '/proc/" + std::to_string(getpid()) + "/exe' --gtest_filter=Determinism.PrintsItsHash 2>&1";
+  FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return "no process";
+  std::string line;
+  char buffer[512];
+  while (std::fgets(buffer, sizeof buffer, pipe) != nullptr) {
+    char name[16];
+    unsigned long long hash;
+    if (std::sscanf(buffer, "kernels %15s hash %llx", name, &hash) == 2)
+      line = name == set ? std::to_string(hash) : "ran " + std::string(name);
+  }
+  pclose(pipe);
+  return line;
+}
+
+TEST(Determinism, InstructionSetsDoNotMatter) {
+  const auto sets = contact::kernels::kernel_sets();
+  if (sets.size() < 2) GTEST_SKIP() << "this processor runs one kernel set only";
+  const std::string first = hash_under(sets[0]->name);
+  ASSERT_NE(first, "");
+  for (std::size_t i = 1; i < sets.size(); ++i) EXPECT_EQ(hash_under(sets[i]->name), first) << sets[i]->name;
+}
+
+}  // namespace
+}  // namespace dem
