@@ -96,6 +96,23 @@ void check_initial_overlap(const World& world, const std::vector<const Where*>& 
   }
 }
 
+// Every pair of kinds that can meet must have a method; a pair that nobody answers is refused before the run.
+void check_methods(const World& world) {
+  std::array<bool, shapes::kind_count> present{};
+  for (const shapes::Kind k : world.particles.kind) present[static_cast<std::size_t>(k)] = true;
+  std::array<bool, shapes::kind_count> other = present;
+  for (const Wall& w : world.walls) other[static_cast<std::size_t>(w.kind)] = true;
+  for (std::size_t a = 0; a < shapes::kind_count; ++a)
+    for (std::size_t b = a; b < shapes::kind_count; ++b) {
+      if (!(present[a] && other[b])) continue;
+      const auto ka = static_cast<shapes::Kind>(a), kb = static_cast<shapes::Kind>(b);
+      if (contact::find(ka, kb, world.scene.method) == nullptr)
+        input_error({world.scene.path, 0, 0},
+                    "contact.method = \"" + world.scene.method + "\" does not answer the pair " + shapes::name_of(ka) +
+                        "–" + shapes::name_of(kb) + ", which this scene has; allowed: \"auto\", or see dem list pairs");
+    }
+}
+
 double automatic_skin(const World& world) {
   double smallest = 0;
   for (const Motion& m : world.particles.motion)
@@ -133,6 +150,7 @@ World build_world(const Scene& scene) {
     world.particles.motion[i].spin =
         spin_of(world.particles.orientation[i], world.particles.angular_momentum[i], world.particles.inertia[i]);
   }
+  check_methods(world);
   world.skin = scene.run.skin >= 0 ? scene.run.skin : automatic_skin(world);
   world.time_step = choose_time_step(world);
   move_walls(world);
