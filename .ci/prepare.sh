@@ -76,3 +76,26 @@ prepare() {
     show cmake --build --preset "$preset"
   fi
 }
+
+test_attribute() { # file name: an attribute of the first element of a JUnit report
+  sed -n "s/.*[[:space:]]$2=\"\([0-9]*\)\".*/\1/p" "$1" | head -n 1
+}
+
+# count_tests FILE: sets tests_passed, tests_failed, tests_skipped from a JUnit report of ctest, names what was skipped and
+# prints the numbers. Fails when no test ran.
+count_tests() {
+  tests_passed=0 tests_failed=0 tests_skipped=0
+  if [ ! -s "$1" ]; then
+    say "Tests: none ran." >&2
+    return 1
+  fi
+  tests_failed=$(test_attribute "$1" failures)
+  tests_skipped=$(($(test_attribute "$1" skipped) + $(test_attribute "$1" disabled)))
+  tests_passed=$(($(test_attribute "$1" tests) - tests_failed - tests_skipped))
+  if [ "$tests_skipped" -gt 0 ]; then
+    say "Skipped:"
+    sed -n 's/.*<testcase name="\([^"]*\)".*status="\(notrun\|disabled\)".*/  \1/p' "$1"
+  fi
+  say "Tests: $tests_passed passed, $tests_failed failed, $tests_skipped skipped"
+  [ $((tests_passed + tests_failed)) -gt 0 ]
+}

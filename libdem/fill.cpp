@@ -67,11 +67,11 @@ void add_fill(World& world, const FillSpec& f, std::uint64_t stream) {
     const Draft& d = list[i];
     Random random(world.scene.run.seed, (std::uint64_t(1) << 32) + stream, i);
     const double r = d.scale * world.shapes[d.shape].circumradius;
-    const double at[3] = {static_cast<double>(i % n[0]), static_cast<double>(i / n[0] % n[1]),
-                          static_cast<double>(i / (n[0] * n[1]))};
+    const std::uint64_t cell_of[3] = {i % n[0], i / n[0] % n[1], i / (n[0] * n[1])};
     Vec3d x;
     for (int k = 0; k < 3; ++k)
-      x[k] = f.lower[k] + pitch[k] * (at[k] + 0.5) + (0.5 * pitch[k] - r) * random.uniform(-1, 1);
+      x[k] = f.lower[k] + pitch[k] * (static_cast<double>(cell_of[k]) + 0.5) +
+             (0.5 * pitch[k] - r) * random.uniform(-1, 1);
     add_particle(world, d.shape, d.material, d.scale, x, random.rotation(), f.velocity, {});
   }
 }

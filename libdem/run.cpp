@@ -94,37 +94,38 @@ void timed(double& sum, Work&& work) {
 
 RunEnd run(World& world, const RunOptions& options, bool resumed) {
   const std::uint64_t last = total_steps(world);
-  std::optional<Output> output;
-  timed(world.times.output, [&] { output.emplace(world, options, resumed); });
+  const auto began = Clock::now();
+  Output output(world, options, resumed);
+  world.times.output += seconds_since(began);
   auto shown = Clock::now();
   try {
     while (world.step < last) {
       if (options.interrupt && options.interrupt->load(std::memory_order_relaxed)) {
         timed(world.times.output, [&] {
-          output->checkpoint(world);
-          output->summary(world, "interrupted");
+          output.checkpoint(world);
+          output.summary(world, "interrupted");
         });
         return RunEnd::interrupted;
       }
       timed(world.times.loop, [&] { advance(world, options.threads); });
-      if (output->due_now(world.step)) timed(world.times.output, [&] { output->write_due(world); });
+      if (output.due_now(world.step)) timed(world.times.output, [&] { output.write_due(world); });
       if (options.progress && seconds_since(shown) >= 0.1) {
         options.progress(world);
         shown = Clock::now();
       }
     }
   } catch (const RunError& error) {
-    output->state(world);
-    output->summary(world, std::string("failed: ") + error.what());
+    output.state(world);
+    output.summary(world, std::string("failed: ") + error.what());
     throw;
   }
   if (options.progress) options.progress(world);
   timed(world.times.output, [&] {
-    output->checkpoint(world);
-    output->state(world);
-    output->picture(world);
+    output.checkpoint(world);
+    output.state(world);
+    output.picture(world);
   });
-  output->summary(world, "finished");  // the last file: where it says so, the run is complete
+  output.summary(world, "finished");  // the last file: where it says so, the run is complete
   return RunEnd::finished;
 }
 

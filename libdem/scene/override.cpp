@@ -22,7 +22,7 @@ struct Override {
   std::string next() {
     if (path.starts_with('.')) path.erase(0, 1);
     const std::size_t end = path.find_first_of(".[");
-    const std::string name = path.substr(0, end);
+    std::string name = path.substr(0, end);
     path.erase(0, name.size());
     return name;
   }

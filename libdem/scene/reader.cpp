@@ -18,7 +18,7 @@ std::string join(const std::string& prefix, const std::string& name) {
   return prefix.empty() ? name : prefix + "." + name;
 }
 
-std::string shortened(std::string text) {
+std::string shortened(const std::string& text) {
   constexpr std::size_t longest = 60;
   return text.size() <= longest ? text : text.substr(0, longest - 4) + " ...";
 }
