@@ -107,7 +107,7 @@ RunEnd run(World& world, const RunOptions& options, bool resumed) {
         });
         return RunEnd::interrupted;
       }
-      timed(world.times.loop, [&] { advance(world, options.threads); });
+      advance(world, options.threads);
       if (output.due_now(world.step)) timed(world.times.output, [&] { output.write_due(world); });
       if (options.progress && seconds_since(shown) >= 0.1) {
         options.progress(world);
