@@ -69,7 +69,8 @@ class Painter {
     Spread spread{hash(2 * index), hash(2 * index + 1), 0};
     Color sum{};
     for (int s = 0; s < grid * grid; ++s) {
-      const double u = i + (s % grid + 0.5) / grid, v = j + (s / grid + 0.5) / grid;
+      const int column = s % grid, row = s / grid;
+      const double u = i + (column + 0.5) / grid, v = j + (row + 0.5) / grid;
       spread.sample = s;
       sum += sample(camera_.ray(u, v, view_.width, view_.height), spread);
     }

@@ -106,7 +106,7 @@ Fault list_fault(const Key& key, const std::string& path, const Node& n, std::si
   if (n.kind != Node::Kind::array) return {fmt::format("needs {}, found {}", name_of(key.type), found(n)), &n};
   if (n.items.size() != size) return {fmt::format("needs {}, found {} entries", name_of(key.type), n.items.size()), &n};
   for (const Node& item : n.items)
-    if (const Fault f = number_fault(key, path, item, whole)) return f;
+    if (Fault f = number_fault(key, path, item, whole)) return f;
   return {};
 }
 
@@ -114,7 +114,7 @@ Fault lists_fault(const Key& key, const std::string& path, const Node& n, std::s
   if (n.kind != Node::Kind::array) return {fmt::format("needs {}, found {}", name_of(key.type), found(n)), &n};
   if (n.items.empty()) return {"is empty", &n};
   for (const Node& item : n.items)
-    if (const Fault f = list_fault(key, path, item, size, whole)) return f;
+    if (Fault f = list_fault(key, path, item, size, whole)) return f;
   return {};
 }
 
@@ -130,13 +130,13 @@ Fault text_fault(const Key& key, const Node& n) {
 
 Fault range_fault(const Key& key, const std::string& path, const Node& n) {
   if (n.kind != Node::Kind::array) return number_fault(key, path, n, false);
-  if (const Fault f = list_fault(key, path, n, 2, false)) return f;
+  if (Fault f = list_fault(key, path, n, 2, false)) return f;
   if (n.items[0].as_number() > n.items[1].as_number()) return {"allowed [min, max] with min <= max", &n};
   return {};
 }
 
 Fault quaternion_fault(const Key& key, const std::string& path, const Node& n) {
-  if (const Fault f = list_fault(key, path, n, 4, false)) return f;
+  if (Fault f = list_fault(key, path, n, 4, false)) return f;
   double square = 0;
   for (const Node& item : n.items) square += item.as_number() * item.as_number();
   if (std::abs(square - 1) > 1e-3)
