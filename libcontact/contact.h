@@ -4,8 +4,8 @@
 //   gap      signed support separation  max over unit n of [ min over B of n·b − max over A of n·a ]   (1)
 //            > 0: Euclidean distance; < 0: minus the least separating translation; overlap = −gap
 //   normal   the maximising unit n, from A to B
-//   offset   d = (origin of B) − (origin of A), formed once by the caller; every vector of the answer is relative to the
-//            origin of A and along world axes, so nothing is lost far from the world's origin
+//   offset   d = (origin of B) − (origin of A), formed once by the caller; every vector of the answer is relative to
+//            the origin of A and along world axes, so nothing is lost far from the world's origin
 //   bounds   gap_lower <= gap <= gap_upper; gap_lower is always proven, gap_upper is when `certified`
 //   pairs    are stated in kind order (position in shapes::List); swapping is the caller's, with an exact sign flip
 #pragma once
@@ -21,12 +21,12 @@ using shapes::Vec3d;
 
 enum class Status : std::uint8_t { separated, touching, overlapping, not_converged, refused };
 
-// Where the contact force acts and how the patch spreads about it (contract 3). The patch is the overlap, seen along the
-// normal, weighted by its local depth h: centre = ∫x h / ∫h, spread = ∫(x−c)(x−c)ᵀ h / ∫h. Smooth bodies touch in a
+// Where the contact force acts and how the patch spreads about it. The patch is the overlap, seen along
+// the normal, weighted by its local depth h: centre = ∫x h / ∫h, spread = ∫(x−c)(x−c)ᵀ h / ∫h. Smooth bodies touch in a
 // point: centre midway between the witness points, spread zero.
 struct Patch {
-  Vec3d centre{};                 // relative to A's origin, world axes, m
-  double spread[6] = {};          // xx, yy, zz, xy, xz, yz of the second moment, world axes, m²
+  Vec3d centre{};         // relative to A's origin, world axes, m
+  double spread[6] = {};  // xx, yy, zz, xy, xz, yz of the second moment, world axes, m²
 };
 
 struct Contact {
@@ -36,19 +36,19 @@ struct Contact {
   Vec3d normal{};                                // unit
   Vec3d point_a{}, point_b{};                    // witness points, relative to A's origin, m
   Patch patch{};
-  double method_overlap = 0;                     // what the method itself measures, m
+  double method_overlap = 0;  // what the method itself measures, m
   Vec3d method_normal{}, method_point{};
   int iterations = 0;
 };
 
-// What the caller wants. `overlap_only`: a separated pair may stop at the first proof (gap is then gap_lower, the witness
-// points are not set and gap_upper is +infinity); an overlapping pair is always answered in full.
+// What the caller wants. `overlap_only`: a separated pair may stop at the first proof (gap is then gap_lower, the
+// witness points are not set and gap_upper is +infinity); an overlapping pair is always answered in full.
 struct Options {
   bool overlap_only = false;
   bool patch = true;
 };
 
-// A separating direction from an earlier query of the same pair: only ever used as a proof, never as a start (contract 6).
+// A separating direction from an earlier query of the same pair: only ever used as a proof, never as a start.
 struct Cache {
   Vec3d axis{};  // zero: none; in A's body frame
 };
@@ -68,12 +68,12 @@ struct Placed<shapes::Ellipsoid> {
 template <>
 struct Placed<shapes::Polyhedron> {
   const shapes::Polyhedron* shape;
-  double scale;    // vertices are scale · shape->vertices
+  double scale;  // vertices are scale · shape->vertices
   Mat3d rotation;
 };
 template <>
 struct Placed<shapes::Plane> {
-  Vec3d normal;    // unit, out of the solid; the plane passes through the body's origin
+  Vec3d normal;  // unit, out of the solid; the plane passes through the body's origin
 };
 template <>
 struct Placed<shapes::Mesh> {  // one facet of a mesh wall: the part that a contact record belongs to

@@ -14,9 +14,9 @@ namespace contact {
 // A placed body of any kind, as chunks carry it: trivially copyable, no ownership.
 struct Body {
   shapes::Kind kind = shapes::Kind::sphere;
-  std::uint32_t part = 0;            // mesh: facet
-  const void* geometry = nullptr;    // shapes::Polyhedron or shapes::Mesh
-  Vec3d size{};                      // sphere: (radius, -, -); ellipsoid: semi-axes; polyhedron, mesh: (scale, -, -)
+  std::uint32_t part = 0;              // mesh: facet
+  const void* geometry = nullptr;      // shapes::Polyhedron or shapes::Mesh
+  Vec3d size{};                        // sphere: (radius, -, -); ellipsoid: semi-axes; polyhedron, mesh: (scale, -, -)
   Mat3d rotation = Mat3d::identity();  // body -> world; plane: normal = third column
 };
 
@@ -36,11 +36,11 @@ using ChunkQuery = void (*)(std::size_t n, const Body* a, const Body* b, const V
                             Cache* cache, Contact* out);
 
 struct MethodInfo {
-  std::string_view name;      // "analytic", "support_newton", …
-  int cost_rank;              // static: lower is cheaper (contract 11)
-  shapes::Kind a, b;          // a <= b
-  bool certified;             // answers are certified over its whole range
-  std::string_view remark;    // one clause for the catalogue
+  std::string_view name;    // "analytic", "support_newton", …
+  int cost_rank;            // static: lower is cheaper
+  shapes::Kind a, b;        // a <= b
+  bool certified;           // answers are certified over its whole range
+  std::string_view remark;  // one clause for the catalogue
 };
 
 // The table, by (a, b) and cost rank; and its end.

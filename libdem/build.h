@@ -15,7 +15,7 @@ void add_particle(World& world, std::uint32_t shape, std::uint32_t material, dou
 void add_fill(World& world, const FillSpec& spec, std::uint64_t stream);
 void add_csv(World& world, const CsvSpec& spec);
 
-// dt from the smallest stability limit of the scene's contacts (contract 4).
+// dt from the smallest stability limit of the scene's contacts.
 TimeStep choose_time_step(const World& world);
 // Normal and tangential stiffness of a touching contact as it is now, N/m.
 struct Stiffness {

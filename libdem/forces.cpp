@@ -221,7 +221,7 @@ class ForcePass {
     return b;
   }
 
-  // 1/m of the point at `arm` along the unit vector n (contract 4).
+  // 1/m of the point at `arm` along the unit vector n.
   double inverse_mass(std::uint32_t i, const contact::Body& b, const Vec3d& arm, const Vec3d& n) const {
     const Vec3d t = transposed_times(b.rotation, cross(arm, n));
     const Vec3d& inertia = p_.inertia[i];

@@ -1,4 +1,4 @@
-// Stability limits of the step (contract 4).
+// Stability limits of the step.
 //   one contact: ω² = largest eigenvalue of K^½ W K^½ ≤ max(kn wn, kt wt),  w = inverse mass of the contact point;
 //   limit = (2/ω)(sqrt(1+β²) − β) with a dashpot that sees half-step velocities                                   (1)
 //   (a bound: the law lessens its dashpot by lag_factor, which alone would allow (2/ω)/sqrt(1+2β))

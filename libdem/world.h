@@ -84,7 +84,7 @@ struct PhaseTimes {  // wall seconds
   double broad = 0, query = 0, law = 0, sum = 0, integrate = 0, walls = 0, output = 0, loop = 0;
 };
 
-struct TimeStep {          // how dt was found (contract 4)
+struct TimeStep {          // how dt was found
   double dt = 0;           // s
   double limit = 0;        // s, the smallest stability limit
   std::string limited_by;  // one clause: which pair of kinds and which mode
@@ -115,7 +115,7 @@ struct World {
 World build_world(const Scene& scene);
 // The number of steps that run.time or run.steps asks for.
 std::uint64_t total_steps(const World& world);
-// Advances by one step. threads >= 1. Throws RunError when a monitored bound is passed (contract 4, 9) or a value is
+// Advances by one step. threads >= 1. Throws RunError when a monitored bound is passed or a value is
 // not finite.
 void advance(World& world, int threads);
 

@@ -6,9 +6,9 @@
 namespace shapes {
 
 struct MassProperties {
-  double volume{};   // m³
-  Vec3d centre{};    // centre of mass in the frame the solid was given in, m
-  Mat3d inertia{};   // about the centre of mass, axes of that frame, per unit density, m⁵
+  double volume{};  // m³
+  Vec3d centre{};   // centre of mass in the frame the solid was given in, m
+  Mat3d inertia{};  // about the centre of mass, axes of that frame, per unit density, m⁵
 };
 
 }  // namespace shapes

@@ -1,5 +1,5 @@
-// Convex polyhedron, canonical: every vertex is extreme, coplanar triangles are merged into one face, every edge joins two
-// faces. Vertices are also kept as padded structures of arrays for kernels whose lanes run within a pair.
+// Convex polyhedron, canonical: every vertex is extreme, coplanar triangles are merged into one face, every edge joins
+// two faces. Vertices are also kept as padded structures of arrays for kernels whose lanes run within a pair.
 #pragma once
 
 #include <cstdint>
@@ -18,14 +18,14 @@ struct Polyhedron {
   static constexpr const char* name = "polyhedron";
 
   struct Face {
-    Vec3d normal;             // unit, outward
-    double offset;            // m, normal·x <= offset holds for the body, with equality on the face
-    std::uint32_t first;      // its vertex loop: face_vertices[first .. first + count), counter-clockwise from outside
+    Vec3d normal;         // unit, outward
+    double offset;        // m, normal·x <= offset holds for the body, with equality on the face
+    std::uint32_t first;  // its vertex loop: face_vertices[first .. first + count), counter-clockwise from outside
     std::uint32_t count;
   };
   struct Edge {
     std::uint32_t vertex[2];
-    std::uint32_t face[2];    // face[0] holds vertex[0] -> vertex[1] in its loop, face[1] the reverse
+    std::uint32_t face[2];  // face[0] holds vertex[0] -> vertex[1] in its loop, face[1] the reverse
   };
 
   std::vector<Vec3d> vertices;
@@ -34,7 +34,7 @@ struct Polyhedron {
   std::vector<std::uint32_t> face_edges;  // parallel to face_vertices: the edge from this loop vertex to the next one
   std::vector<Edge> edges;
 
-  std::vector<double> vx, vy, vz;  // vertices, padded to a multiple of polyhedron_padding
+  std::vector<double> vx, vy, vz;      // vertices, padded to a multiple of polyhedron_padding
   std::vector<double> nx, ny, nz, nd;  // face normals and offsets, padded alike (by repeating face 0)
 
   MassProperties mass;        // in this frame; centre is the origin when the frame is principal

@@ -40,7 +40,7 @@ struct RunSpec {
   std::uint64_t rebuild_every = 0;  // steps; 0: when a body has moved by half the skin; 1: every step
   std::uint64_t seed = 1;
   double max_initial_overlap = 0.05;    // of the smaller inscribed radius
-  double max_uncertified_share = 1e-4;  // of contact-steps (contract 9)
+  double max_uncertified_share = 1e-4;  // of contact-steps
 };
 
 struct OutputSpec {

@@ -146,8 +146,8 @@ TEST(SmoothDeep, sphere_centres_inside_ellipsoids) {
   }
 }
 
-// Needles, discs and unlike sizes: the pair is built about a known normal, from which the reference starts. Overlaps stay
-// below the sum of the least radii of curvature, where the stationary point near that normal is the only maximum.
+// Needles, discs and unlike sizes: the pair is built about a known normal, from which the reference starts. Overlaps
+// stay below the sum of the least radii of curvature, where the stationary point near that normal is the only maximum.
 TEST(SmoothExtremes, aspect_and_size_ratios_to_a_million) {
   Draw draw(7);
   const auto least_radius = [](const Vec3d& a) { return std::pow(std::min({a.x, a.y, a.z}), 2) / max_abs(a); };
@@ -169,8 +169,9 @@ TEST(SmoothExtremes, aspect_and_size_ratios_to_a_million) {
             truth <= -m)
           continue;
         ++compared;
-        expect_right(a, b, offset, truth,
-                     "aspect " + std::to_string(aspect) + " size " + std::to_string(size) + " #" + std::to_string(repeat));
+        expect_right(
+            a, b, offset, truth,
+            "aspect " + std::to_string(aspect) + " size " + std::to_string(size) + " #" + std::to_string(repeat));
       }
     }
   }

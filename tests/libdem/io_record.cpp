@@ -92,7 +92,8 @@ std::vector<std::uint8_t> state_of(std::uint8_t seed) {
 TEST(IoCheckpoint, KeepsTwoAndReadsTheNewest) {
   const Folder folder("checkpoint");
   EXPECT_FALSE(dem::io::read_last_checkpoint(folder.path()));
-  for (const std::uint8_t step : {std::uint8_t{10}, std::uint8_t{20}, std::uint8_t{30}}) dem::io::write_checkpoint(folder.path(), step, state_of(step));
+  for (const std::uint8_t step : {std::uint8_t{10}, std::uint8_t{20}, std::uint8_t{30}})
+    dem::io::write_checkpoint(folder.path(), step, state_of(step));
   EXPECT_EQ(file_count(folder.path()), 2u);
   const auto last = dem::io::read_last_checkpoint(folder.path());
   ASSERT_TRUE(last);

@@ -67,7 +67,7 @@ TEST_P(Restitution, IsHitAtEveryPhaseOfOnset) {
 }
 
 // A tilted ellipsoid and a tilted box drop on a plane without friction: what rebounds by e is the point of contact,
-// whose effective mass holds the inertia (contract 4). Slowly, so that the pose hardly changes meanwhile.
+// whose effective mass holds the inertia. Slowly, so that the pose hardly changes meanwhile.
 TEST_P(Restitution, IsThatOfThePointOfContactOffCentre) {
   for (const ShapeSpec& shape :
        {scenes::ellipsoid("body", {0.01, 0.02, 0.03}), scenes::box("body", {0.02, 0.03, 0.04})})
