@@ -68,6 +68,7 @@ struct Builder {
   void find_facets();
   void add_facets(Mesh& mesh) const;
   void add_edges(Mesh& mesh) const;
+  void add_borders(Mesh& mesh) const;
 };
 
 void Builder::check_triangles() {
@@ -201,13 +202,53 @@ void Builder::add_edges(Mesh& mesh) const {
     std::replace(edges_at[b].begin(), edges_at[b].end(), old[1], joined);
   }
   for (const auto& [edge, facets] : real)
-    mesh.edges.push_back({{edge.first, edge.second}, {facets.first, facets.second}});
+    mesh.edges.push_back({{edge.first, edge.second}, {facets.first, facets.second}, {}});
   std::stable_sort(mesh.edges.begin(), mesh.edges.end(),
                    [](const Mesh::Edge& a, const Mesh::Edge& b) { return a.facet[0] < b.facet[0]; });
   for (std::uint32_t e = 0; e < mesh.edges.size(); ++e) {
     Mesh::Facet& owner = mesh.facets[mesh.edges[e].facet[0]];
     if (owner.edge_count++ == 0) owner.first_edge = e;
     mesh.facet_edges.push_back(e);
+  }
+}
+
+// Edges by facet and by vertex, and the directions from an edge into its facets. Triangles are wound about the facet's
+// normal, so the inside lies left of the border; the triangle side at the edge's start that runs along the edge tells
+// which way the border goes.
+void Builder::add_borders(Mesh& mesh) const {
+  std::vector<std::vector<std::uint32_t>> of_facet(mesh.facets.size()), at_vertex(vertices.size()),
+      around(vertices.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    for (const std::uint32_t v : triangles[t]) around[v].push_back(t);
+  for (std::uint32_t e = 0; e < mesh.edges.size(); ++e) {
+    Mesh::Edge& edge = mesh.edges[e];
+    const std::uint32_t start = edge.vertex[0];
+    for (const std::uint32_t v : edge.vertex) at_vertex[v].push_back(e);
+    const Vec3d along = convex::unit(vertices[edge.vertex[1]] - vertices[start]);
+    for (int k = 0; k < 2 && edge.facet[k] != Mesh::none; ++k) {
+      of_facet[edge.facet[k]].push_back(e);
+      double best = -2, sign = 1;
+      for (const std::uint32_t t : around[start]) {
+        if (facet_of[t] != edge.facet[k]) continue;
+        const std::uint32_t* corner = &mesh.triangles[3 * t];
+        const int i = corner[0] == start ? 0 : (corner[1] == start ? 1 : 2);
+        const double next = dot(along, convex::unit(vertices[corner[(i + 1) % 3]] - vertices[start]));
+        const double previous = dot(along, convex::unit(vertices[corner[(i + 2) % 3]] - vertices[start]));
+        if (next > best) best = next, sign = 1;
+        if (previous > best) best = previous, sign = -1;
+      }
+      edge.inward[k] = sign * convex::unit(cross(mesh.facets[edge.facet[k]].normal, along));
+    }
+  }
+  for (std::uint32_t f = 0; f < mesh.facets.size(); ++f) {
+    mesh.facets[f].first_border = static_cast<std::uint32_t>(mesh.facet_borders.size());
+    mesh.facets[f].border_count = static_cast<std::uint32_t>(of_facet[f].size());
+    mesh.facet_borders.insert(mesh.facet_borders.end(), of_facet[f].begin(), of_facet[f].end());
+  }
+  mesh.first_vertex_edge.push_back(0);
+  for (const auto& list : at_vertex) {
+    mesh.vertex_edges.insert(mesh.vertex_edges.end(), list.begin(), list.end());
+    mesh.first_vertex_edge.push_back(static_cast<std::uint32_t>(mesh.vertex_edges.size()));
   }
 }
 
@@ -277,6 +318,7 @@ Mesh mesh_from_triangles(std::span<const Vec3d> vertices, std::span<const std::u
   Mesh mesh;
   builder.add_facets(mesh);
   builder.add_edges(mesh);
+  builder.add_borders(mesh);
   for (const Vec3d& v : builder.vertices) mesh.vertices.push_back(convex::times_two_to(v, exponent));
   for (Mesh::Facet& f : mesh.facets) {
     f.offset = std::ldexp(f.offset, exponent);

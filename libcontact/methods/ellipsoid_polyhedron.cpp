@@ -13,127 +13,168 @@ namespace contact {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int walk_limit = 48;
 
-// Search over the polyhedron's outward directions m, in its frame and in units.
+// Search over the polyhedron's outward directions m, in its frame and in units, for the greatest separation
+//   f(m) = min over vertices v of φ_v(m),  φ_v(m) = m·(c − v) − |D Qᵀ m|                                         (1)
 class Search {
  public:
-  Search(const EllipsoidAt& ellipsoid, const shapes::Polyhedron& p, double scale, double size)
-      : ellipsoid_(ellipsoid), p_(p), scale_(scale), size_(size), rolling_(ellipsoid.least_curvature_radius()) {}
+  Search(const EllipsoidAt& ellipsoid, const shapes::Polyhedron& p, double scale, double size, double enough)
+      : ellipsoid_(ellipsoid), p_(p), scale_(scale), size_(size), enough_(enough) {}
 
   double value = -infinity, upper = infinity;
   Vec3d m{};
   int iterations = 0;
 
-  void try_faces() {
-    const double least = ellipsoid_.least_axis();
-    for (const auto& face : p_.faces) {
-      const double level = dot(face.normal, ellipsoid_.centre) - scale_ * face.offset;
-      if (level - least > value) keep(level - ellipsoid_.support(face.normal).height, face.normal);
-    }
+  bool proves_separation() const { return value > enough_; }
+
+  // Where the ellipsoid's centre is highest over a face: most contacts with large faces are answered here, proven by
+  // the point of the ellipsoid that is deepest below that face lying over it. A point x of the ellipsoid bounds the
+  // gap by its signed distance to the polyhedron, and one of K (see `climb_down`) by its own less ρ.
+  bool try_top_face() {
+    const std::size_t top = highest_face(p_, scale_, ellipsoid_.centre).index;
+    const auto& face = p_.faces[top];
+    const auto support = ellipsoid_.support(face.normal);
+    const double height = dot(face.normal, ellipsoid_.centre) - scale_ * face.offset;
+    value = height - support.height;
+    m = face.normal;
+    if (!(std::abs(value) <= 16) || proves_separation()) return true;
+    const double rho = ellipsoid_.least_curvature_radius();
+    const double ball = value + rho > 0 ? rho : 0;
+    const Vec3d x = ellipsoid_.centre - support.arm + ball * m;
+    const FaceHeight above = highest_face(p_, scale_, x);
+    if (above.index != top || (above.height > 0 && !over_face(p_, face, scale_, x))) return false;
+    upper = value;
+    return true;
   }
 
-  // Proves the answer, or follows the feature that contradicts it. The ellipsoid is a convex body K plus a ball of
-  // radius ρ, its smallest radius of curvature: while gap + ρ > 0 the gap is the distance from K less ρ, so
-  //   gap <= |point of K – polyhedron| − ρ  for every point of K,                                             (1)
-  // with equality at the solution. The feature nearest to that point is where the solution lies, or closer to it.
-  // Deeper, the bound of a point (ρ = 0) and of a vertex, gap <= its signed distance to the other body, still prove
-  // most faces and vertices.
-  bool walk() {
-    for (int k = 0; k < walk_limit; ++k, ++iterations) {
-      const bool shallow = value + rolling_ > 0;
-      const double ball = shallow ? rolling_ : 0;
-      const SurfacePoint nearest = surface_point(p_, scale_, ellipsoid_.deepest(m) + ball * m, size_);
-      if (shallow && nearest.distance < 0) return false;
-      upper = std::min(upper, nearest.distance - ball);
-      if (upper - value <= rounding(size_)) return true;
-      if (!shallow) upper = std::min(upper, try_vertex(highest_vertex(p_, m).index));
-      if (upper - value <= rounding(size_)) return true;
-      const double before = value;
-      switch (nearest.feature) {
-        case SurfacePoint::Feature::face: {
-          const auto& face = p_.faces[nearest.index];
-          keep(dot(face.normal, ellipsoid_.centre) - scale_ * face.offset - ellipsoid_.support(face.normal).height,
-               face.normal);
-          break;
-        }
-        case SurfacePoint::Feature::edge:
-          try_edge(p_.edges[nearest.index], nearest.outward);
-          break;
-        case SurfacePoint::Feature::vertex:
-          try_vertex(nearest.index);
-          break;
-      }
-      // Where that feature is not the one: turning m towards the nearest point always climbs, by convexity, at first.
-      for (double step = 1; !(value > before) && shallow && step > 0x1p-20; step *= 0.5) {
-        const Vec3d turned = normalized(m + step * (nearest.outward - m));
-        keep(separation(turned), turned);
-      }
-      if (!(value > before)) return false;
+  // The least of (1) over a basis of at most three vertices bounds f from above, and is its maximum when no other
+  // vertex is lower there. So: add the lowest vertex, find the basis of the four, until there is none. The bound falls
+  // at every step. While gap + ρ > 0 the ellipsoid is a convex body K plus a ball of its smallest radius of curvature
+  // ρ, K lies apart from the polyhedron, and every maximum is the only one. False when deeper, or when rounding ends
+  // it.
+  bool climb_down() {
+    std::uint32_t basis[4];
+    int count = 0;
+    Vec3d at = m;
+    const double shallow = -ellipsoid_.least_curvature_radius();
+    for (iterations = 0; iterations < step_limit; ++iterations) {
+      const Extreme highest = highest_vertex(p_, at);
+      const double reached = dot(at, ellipsoid_.centre) - ellipsoid_.support(at).height - scale_ * highest.value;
+      keep(reached, at);
+      if (proves_separation() || upper - value <= 8 * epsilon * size_) return true;
+      for (int i = 0; i < count; ++i)
+        if (basis[i] == highest.index) return false;
+      basis[count++] = highest.index;
+      double bound;
+      if (!reduce(basis, count, at, bound) || !(bound > shallow) || bound > upper) return false;
+      upper = bound;
     }
     return false;
   }
 
-  // Every feature, from several starts; then what proofs hold at any depth.
+  // Every local maximum there can be: face normals; on an edge's arc, one or two; in a vertex's cone, one or two. What
+  // lies outside its arc or cone is only tried. Dropped: edges whose faces both lie high over a point x of the
+  // ellipsoid inside the polyhedron, as f <= m·(x − p), at most the larger of the two heights of x.
   void try_everything() {
-    const bool shallow = value + rolling_ > 0;  // then a local maximum is the only one
-    const int starts = shallow ? 1 : 8;
+    ++iterations;
+    for (const auto& face : p_.faces) {
+      const double height = dot(face.normal, ellipsoid_.centre) - scale_ * face.offset;
+      if (height - ellipsoid_.least_axis() > value) keep(height - ellipsoid_.support(face.normal).height, face.normal);
+    }
+    Vec3d candidate[2];
+    for (const Vec3d& corner : p_.vertices) {
+      const int count = maxima_of_point(ellipsoid_, scale_ * corner, candidate);
+      for (int k = 0; k < count; ++k) try_direction(scale_ * corner, candidate[k]);
+    }
+    Vec3d witness = ellipsoid_.deepest(m);
     for (const auto& edge : p_.edges) {
-      const Vec3d &n0 = p_.faces[edge.face[0]].normal, &n1 = p_.faces[edge.face[1]].normal;
-      for (int k = 0; k <= starts; ++k) {
-        const double t = static_cast<double>(k) / starts;
-        const Vec3d start = (1 - t) * n0 + t * n1;
-        if (!(dot(start, start) > 0.01)) continue;
-        try_edge(edge, normalized(start));
-        for (const std::uint32_t v : edge.vertex) {
-          if (shallow) break;
-          const Vec3d direction = ascend(ellipsoid_, scale_ * p_.vertices[v], normalized(start));
-          keep(separation(direction), direction);
-        }
-      }
+      const auto height = [&](std::uint32_t f) {
+        return dot(p_.faces[f].normal, witness) - scale_ * p_.faces[f].offset;
+      };
+      if (const double bound = std::max(height(edge.face[0]), height(edge.face[1])); bound < 0 && bound < value)
+        continue;
+      const Vec3d p = scale_ * p_.vertices[edge.vertex[0]], e = scale_ * p_.vertices[edge.vertex[1]] - p;
+      const int count = maxima_of_edge(ellipsoid_, p, e, candidate);
+      for (int k = 0; k < count; ++k)
+        if (try_direction(p, candidate[k])) witness = ellipsoid_.deepest(m);
     }
-    double shallowest = infinity;  // (2) gap <= signed distance of any vertex to the ellipsoid
-    for (std::uint32_t i = 0; i < p_.vertices.size(); ++i) shallowest = std::min(shallowest, try_vertex(i));
-    // (3) gap <= signed distance of any point of the ellipsoid to the polyhedron
-    const double point = surface_point(p_, scale_, ellipsoid_.deepest(m), size_).distance;
-    upper = std::min({upper, shallowest, point});
-    if (value + rolling_ > 0) {
-      const SurfacePoint nearest = surface_point(p_, scale_, ellipsoid_.deepest(m) + rolling_ * m, size_);
-      if (nearest.distance >= 0) upper = std::min(upper, nearest.distance - rolling_);
-    }
+    upper = value;
   }
 
- private:
-  void keep(double v, const Vec3d& direction) {
-    if (v > value) value = v, m = direction;
-  }
   double separation(const Vec3d& direction) const {
     return dot(direction, ellipsoid_.centre) - ellipsoid_.support(direction).height -
            scale_ * highest_vertex(p_, direction).value;
   }
-  void try_edge(const shapes::Polyhedron::Edge& edge, const Vec3d& start) {
-    const Vec3d &n0 = p_.faces[edge.face[0]].normal, &n1 = p_.faces[edge.face[1]].normal;
-    const Vec3d p = scale_ * p_.vertices[edge.vertex[0]], e = scale_ * p_.vertices[edge.vertex[1]] - p;
-    const ArcMaximum best = maximise_on_arc(ellipsoid_, p, e, n0, n1, start);
-    if (best.value > value) keep(separation(best.m), best.m);
+
+ private:
+  static constexpr int step_limit = 64;
+
+  bool keep(double v, const Vec3d& direction) {
+    if (!(v > value)) return false;
+    value = v;
+    m = direction;
+    return true;
   }
-  double try_vertex(std::uint32_t i) {
-    Vec3d direction;
-    const double bound = ellipsoid_.point_separation(scale_ * p_.vertices[i], direction);
-    if (bound > value) keep(separation(direction), direction);
-    return bound;
+  double from_point(const Vec3d& p, const Vec3d& direction) const {
+    return dot(direction, ellipsoid_.centre - p) - ellipsoid_.support(direction).height;
+  }
+  bool try_direction(const Vec3d& p, const Vec3d& direction) {
+    return from_point(p, direction) > value && keep(separation(direction), direction);
+  }
+  Vec3d corner(std::uint32_t i) const { return scale_ * p_.vertices[i]; }
+
+  // Of vertices basis[0 .. count), the subset with the last one whose own maximum is that of all: the deepest point
+  // of the ellipsoid there projects into their segment or triangle, and no other vertex is lower.
+  bool reduce(std::uint32_t* basis, int& count, Vec3d& at, double& bound) const {
+    const std::uint32_t last = basis[count - 1];
+    const Vec3d v = corner(last);
+    const auto accept = [&](const Vec3d& direction, std::initializer_list<std::uint32_t> chosen) {
+      const double level = dot(direction, v) + 4 * epsilon * size_;
+      for (int i = 0; i < count; ++i)
+        if (dot(direction, corner(basis[i])) > level &&
+            std::find(chosen.begin(), chosen.end(), basis[i]) == chosen.end())
+          return false;
+      at = direction;
+      bound = from_point(v, direction);
+      std::copy(chosen.begin(), chosen.end(), basis);
+      count = static_cast<int>(chosen.size());
+      return true;
+    };
+    const int old = count - 1;
+    for (int i = 0; i < old; ++i)
+      for (int j = i + 1; j < old; ++j) {
+        const Vec3d e = corner(basis[i]) - v, f = corner(basis[j]) - v;
+        Vec3d n = cross(e, f);
+        const double square = dot(n, n);
+        if (!(square > 0)) continue;
+        n *= 1 / std::sqrt(square);
+        if (dot(n, ellipsoid_.centre - v) < 0) n = -n;
+        const Vec3d x = ellipsoid_.deepest(n) - v, normal = cross(e, f);
+        const double s = dot(cross(x, f), normal), t = dot(cross(e, x), normal);
+        if (s >= 0 && t >= 0 && s + t <= square && accept(n, {basis[i], basis[j], last})) return true;
+      }
+    for (int i = 0; i < old; ++i) {
+      const Vec3d e = corner(basis[i]) - v;
+      const Vec3d n = maximum_of_edge(ellipsoid_, v, e);
+      const double along = dot(ellipsoid_.deepest(n) - v, e);
+      if (along >= 0 && along <= dot(e, e) && accept(n, {basis[i], last})) return true;
+    }
+    Vec3d n;
+    ellipsoid_.point_separation(v, n);
+    return accept(n, {last});
   }
 
   const EllipsoidAt& ellipsoid_;
   const shapes::Polyhedron& p_;
-  double scale_, size_, rolling_;
+  double scale_, size_, enough_;
 };
 
 }  // namespace
 
 Contact Features::query(const Placed<shapes::Ellipsoid>& a, const Placed<shapes::Polyhedron>& b, const Vec3d& offset,
-                        const Options& options, Cache*) {
-  const double extent = max_abs(offset) + max_abs(a.semi_axes) + b.scale * b.shape->circumradius;
+                        const Options& options, Cache* cache) {
+  const double radius_a = max_abs(a.semi_axes), radius_b = b.scale * b.shape->circumradius;
+  const double extent = max_abs(offset) + radius_a + radius_b;
   if (!(b.scale > 0 && extent_in_range(extent) && all_at_least(offset, -extent) &&
         all_at_least(a.semi_axes, smallest_ratio * extent)))
     return refused();
@@ -141,20 +182,27 @@ Contact Features::query(const Placed<shapes::Ellipsoid>& a, const Placed<shapes:
   const double size = unit.down * extent;
   const EllipsoidAt ellipsoid{unit.down * a.semi_axes, -transposed_times(b.rotation, unit.down * offset),
                               transposed(b.rotation) * a.rotation};
-  Search search(ellipsoid, *b.shape, unit.down * b.scale, size);
-  search.try_faces();
+  const double enough = options.overlap_only ? proof_margin(size) : infinity;
+  Search search(ellipsoid, *b.shape, unit.down * b.scale, size, enough);
+  const auto proof = [&](double value, const Vec3d& m) {
+    const Vec3d n = -(b.rotation * m);
+    if (cache) cache->axis = transposed_times(a.rotation, n);
+    return separation_proof(value, size, n, unit.up, search.iterations);
+  };
+  if (Vec3d axis; options.overlap_only && cached_direction(cache, axis)) {
+    const Vec3d m = -transposed_times(b.rotation, a.rotation * axis);
+    if (const double value = search.separation(m); value > enough) return proof(value, m);
+  }
+  if (!search.try_top_face() && !search.climb_down()) search.try_everything();
   if (!(std::abs(search.value) <= 16)) return refused();  // a rotation that is not finite
-  if (options.overlap_only && search.value > proof_margin(size))
-    return separation_proof(search.value, size, -(b.rotation * search.m), unit.up);
-  if (!search.walk()) search.try_everything();
+  if (search.proves_separation()) return proof(search.value, search.m);
   const double allowance = polyhedron_rounding * size;
   const double gap = search.value;
   const Vec3d n = -(b.rotation * search.m);
   const Vec3d touch = b.rotation * -ellipsoid.support(search.m).arm;  // relative to the ellipsoid's centre
-  const bool proven = search.upper - gap <= allowance;
-  const double upper = (proven ? std::max(search.upper, gap) : gap) + allowance;
-  Contact c = smooth_contact(gap, gap - allowance, upper, n, touch, touch + gap * n, unit.up, search.iterations);
-  c.certified = proven;
+  const Contact c = smooth_contact(gap, gap - allowance, std::max(search.upper, gap) + allowance, n, touch,
+                                   touch + gap * n, unit.up, search.iterations);
+  if (cache) cache->axis = c.status == Status::separated ? transposed_times(a.rotation, n) : Vec3d{};
   return c;
 }
 

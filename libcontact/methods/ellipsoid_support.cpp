@@ -19,61 +19,59 @@ double EllipsoidAt::point_separation(const Vec3d& p, Vec3d& m) const {
   return dot(m, centre - p) - support(m).height;
 }
 
-ArcMaximum maximise_on_arc(const EllipsoidAt& body, const Vec3d& p, const Vec3d& e, const Vec3d& n0, const Vec3d& n1,
-                           const Vec3d& start) {
-  constexpr int iteration_limit = 40;
-  const Vec3d turn = normalized(e), w = body.centre - p;
-  const auto value_at = [&](const Vec3d& m) { return dot(m, w) - body.support(m).height; };
-  const auto clamped = [&](const Vec3d& m) {
-    // Past an end when the turn from n0, or to n1, is the wrong way round; the arc is shorter than half a circle.
-    const bool before = dot(cross(n0, m), turn) < 0, after = dot(cross(m, n1), turn) < 0;
-    if (!before && !after) return m;
-    return dot(m, n0) > dot(m, n1) ? n0 : n1;
-  };
-  ArcMaximum best{value_at(start), start, 0};
-  for (int& i = best.iterations; i < iteration_limit; ++i) {
-    const Vec3d side = cross(turn, best.m);
-    const EllipsoidAt::Support s = body.support(best.m);
-    const Vec3d stretched = scaled(body.semi_axes, transposed_times(body.axes, side));
-    const double arm = dot(side, s.arm), slope = dot(side, w) - arm;
-    const double rho = (dot(stretched, stretched) - arm * arm) / s.height, bend = best.value + rho;  // (1)
-    double step = bend > 0 ? slope / bend : slope / rho;
-    step = std::clamp(step, -0.5, 0.5);
-    bool climbed = false;
-    for (int halving = 0; halving < 30 && !climbed; ++halving, step *= 0.5) {
-      const Vec3d m = clamped(normalized(best.m + step * side));
-      const double value = value_at(m);
-      if (value > best.value) best.value = value, best.m = m, climbed = true;
-      if (std::abs(step) < 4 * epsilon) break;
-    }
-    if (!climbed) break;
-  }
-  return best;
+int maxima_of_point(const EllipsoidAt& body, const Vec3d& p, Vec3d m[2]) {
+  const Vec3d y = transposed_times(body.axes, p - body.centre);
+  m[0] = -(body.axes * nearest_on_ellipsoid(body.semi_axes, y).normal);
+  EllipsoidFoot second;
+  if (!second_foot(body.semi_axes, y, second)) return 1;
+  m[1] = -(body.axes * second.normal);
+  return 2;
 }
 
-Vec3d ascend(const EllipsoidAt& body, const Vec3d& p, const Vec3d& start) {
-  constexpr int iteration_limit = 100;
-  const Vec3d w = body.centre - p;
-  Vec3d m = start;
-  double value = dot(m, w) - body.support(m).height;
-  for (int i = 0; i < iteration_limit; ++i) {
-    const EllipsoidAt::Support s = body.support(m);
-    const Vec3d gradient = w - s.arm, slope = gradient - dot(m, gradient) * m;
-    const double steepness = norm(slope);
-    if (!(steepness > epsilon * (s.height + norm(w)))) break;
-    const Vec3d side = slope * (1 / steepness);
-    const Vec3d stretched = scaled(body.semi_axes, transposed_times(body.axes, side));
-    const double arm = dot(side, s.arm), rho = (dot(stretched, stretched) - arm * arm) / s.height;
-    double step = std::min(steepness / (value + rho > 0 ? value + rho : rho), 0.5);
-    bool climbed = false;
-    for (int halving = 0; halving < 20 && !climbed; ++halving, step *= 0.5) {
-      const Vec3d trial = normalized(m + step * side);
-      const double v = dot(trial, w) - body.support(trial).height;
-      if (v > value) value = v, m = trial, climbed = true;
-    }
-    if (!climbed) break;
+namespace {
+
+// The shadow of the ellipsoid along e, and where the point p lies in it.
+struct Shadow {
+  Vec3d first, second;  // unit directions of its semi-axes, perpendicular to e
+  Vec3d semi_axes, at;  // the third one is inert: as long as the longest, with the point on its zero
+
+  Shadow(const EllipsoidAt& body, const Vec3d& p, const Vec3d& e) {
+    Vec3d u, v;
+    tangent_frame(normalized(e), u, v);
+    const Vec3d su = scaled(body.semi_axes, transposed_times(body.axes, u));
+    const Vec3d sv = scaled(body.semi_axes, transposed_times(body.axes, v));
+    const double uu = dot(su, su), vv = dot(sv, sv), uv = dot(su, sv), half = 0.5 * (uu - vv);
+    const double radius = std::sqrt(half * half + uv * uv), greatest = 0.5 * (uu + vv) + radius;
+    double x = half >= 0 ? half + radius : uv, y = half >= 0 ? uv : radius - half;
+    const double length = std::sqrt(x * x + y * y);
+    if (length > 0)
+      x /= length, y /= length;
+    else
+      x = 1, y = 0;
+    first = x * u + y * v;
+    second = x * v - y * u;
+    const double major = std::sqrt(greatest);
+    semi_axes = {major, norm(cross(su, sv)) / major, major};
+    const Vec3d w = p - body.centre;
+    at = {dot(w, first), dot(w, second), 0};
   }
-  return m;
+  Vec3d outward(const EllipsoidFoot& foot) const { return -(foot.normal.x * first + foot.normal.y * second); }
+};
+
+}  // namespace
+
+int maxima_of_edge(const EllipsoidAt& body, const Vec3d& p, const Vec3d& e, Vec3d m[2]) {
+  const Shadow shadow(body, p, e);
+  m[0] = shadow.outward(nearest_on_ellipsoid(shadow.semi_axes, shadow.at));
+  EllipsoidFoot second;
+  if (!second_foot(shadow.semi_axes, shadow.at, second)) return 1;
+  m[1] = shadow.outward(second);
+  return 2;
+}
+
+Vec3d maximum_of_edge(const EllipsoidAt& body, const Vec3d& p, const Vec3d& e) {
+  const Shadow shadow(body, p, e);
+  return shadow.outward(nearest_on_ellipsoid(shadow.semi_axes, shadow.at));
 }
 
 }  // namespace contact

@@ -18,35 +18,43 @@ FacetView::FacetView(const Placed<shapes::Mesh>& b, const Vec3d& body_centre, co
 }
 
 bool FacetView::over_region(std::uint32_t index, const Vec3d& x) const {
-  const auto& f = mesh->facets[index];
+  // Parity of the borders that a ray from x along an axis of the plane crosses; x on a border counts as inside.
+  const Vec3d& n = mesh->facets[index].normal;
+  Vec3d u, v;
+  tangent_frame(n, u, v);
   const double border = 8 * epsilon * size;
-  for (std::uint32_t k = 0; k < f.triangle_count; ++k) {
-    const std::uint32_t* corner = &mesh->triangles[3 * mesh->facet_triangles[f.first_triangle + k]];
-    const Vec3d p[3] = {vertex(corner[0]), vertex(corner[1]), vertex(corner[2])};
-    bool inside = true;
-    for (int i = 0; i < 3 && inside; ++i) {
-      const Vec3d e = p[(i + 1) % 3] - p[i];
-      const double side = dot(cross(f.normal, e), x - p[i]);
-      inside = side >= 0 || side * side <= border * border * dot(e, e);
-    }
-    if (inside) return true;
-  }
-  return false;
+  bool inside = false, on_border = false;
+  for_each_border(index, [&](std::uint32_t i) {
+    const Vec3d p = edge_start(i) - x, q = vertex(edge(i).vertex[1]) - x;
+    const double pu = dot(p, u), pv = dot(p, v), qu = dot(q, u), qv = dot(q, v);
+    const double eu = qu - pu, ev = qv - pv, square = eu * eu + ev * ev, area = pu * qv - pv * qu;
+    const double along = -(pu * eu + pv * ev);
+    if (area * area <= border * border * square && along >= -border * std::sqrt(square) &&
+        along <= square + border * std::sqrt(square))
+      on_border = true;
+    if ((pv > 0) != (qv > 0)) inside ^= (area > 0) == (qv > pv);
+  });
+  return inside || on_border;
 }
 
-double FacetView::distance(const Vec3d& x) const {
-  if (over_region(facet, x)) return std::abs(dot(m, x) - plane);
-  const auto& f = mesh->facets[facet];
+Vec3d FacetView::nearest(const Vec3d& x) const {
+  if (over_region(facet, x)) return x - (dot(m, x) - plane) * m;
+  Vec3d best{};
   double square = std::numeric_limits<double>::infinity();
-  for (std::uint32_t k = 0; k < f.triangle_count; ++k) {
-    const std::uint32_t* corner = &mesh->triangles[3 * mesh->facet_triangles[f.first_triangle + k]];
-    for (int i = 0; i < 3; ++i) {
-      const Vec3d p = vertex(corner[i]);
-      const Vec3d w = point_segment(x, p, vertex(corner[(i + 1) % 3]) - p).normal;
-      square = std::min(square, dot(w, w));
-    }
-  }
-  return std::sqrt(square);
+  for_each_border(facet, [&](std::uint32_t i) {
+    const ClosestPoints c = point_segment(x, edge_start(i), edge_vector(i));
+    const double s = dot(c.normal, c.normal);
+    if (s < square) square = s, best = c.b;
+  });
+  return best;
+}
+
+double FacetView::highest(const Vec3d& direction) const {
+  double best = -std::numeric_limits<double>::infinity();
+  for_each_border(facet, [&](std::uint32_t i) {
+    for (const std::uint32_t v : edge(i).vertex) best = std::max(best, dot(direction, vertex(v)));
+  });
+  return best;
 }
 
 double facet_extent(const Placed<shapes::Mesh>& b, const Vec3d& offset, double radius) {
@@ -56,26 +64,6 @@ double facet_extent(const Placed<shapes::Mesh>& b, const Vec3d& offset, double r
 
 namespace {
 
-// Unit in-plane direction into facet f from an edge of its border. Triangles are wound about the facet's normal, so the
-// inside lies left of the border; the triangle side at the edge's start that runs along it tells which way the border
-// goes.
-Vec3d inward_direction(const FacetView& view, const shapes::Mesh::Edge& edge, std::uint32_t f, const Vec3d& along) {
-  const auto& facet = view.mesh->facets[f];
-  double best = -2, sign = 1;
-  const Vec3d start = view.vertex(edge.vertex[0]);
-  for (std::uint32_t k = 0; k < facet.triangle_count; ++k) {
-    const std::uint32_t* corner = &view.mesh->triangles[3 * view.mesh->facet_triangles[facet.first_triangle + k]];
-    for (int i = 0; i < 3; ++i) {
-      if (corner[i] != edge.vertex[0]) continue;
-      const Vec3d next = normalized(view.vertex(corner[(i + 1) % 3]) - start);
-      const Vec3d previous = normalized(view.vertex(corner[(i + 2) % 3]) - start);
-      if (dot(next, along) > best) best = dot(next, along), sign = 1;
-      if (dot(previous, along) > best) best = dot(previous, along), sign = -1;
-    }
-  }
-  return normalized(cross(facet.normal, along)) * sign;
-}
-
 void turn_round(EdgeCone& cone) {
   cone.point += cone.direction;
   cone.direction = -cone.direction;
@@ -83,19 +71,13 @@ void turn_round(EdgeCone& cone) {
 
 }  // namespace
 
-Vec3d EdgeCone::middle() const {
-  // Between the ends, or away from both facets: one of the two is far from cancelling.
-  const Vec3d between = first + last, away = -(inward[0] + inward[1]);
-  return normalized(dot(between, between) > 1 ? between : away);
-}
-
 EdgeCone edge_cone(const FacetView& view, std::uint32_t index) {
   const auto& edge = view.edge(index);
   EdgeCone cone;
   cone.point = view.edge_start(index);
   cone.direction = view.edge_vector(index);
   const Vec3d along = normalized(cone.direction);
-  cone.inward[0] = inward_direction(view, edge, edge.facet[0], along);
+  cone.inward[0] = edge.inward[0];
   const Vec3d normal = view.mesh->facets[edge.facet[0]].normal;
   if (edge.facet[1] == shapes::Mesh::none) {
     cone.first = normal;
@@ -104,7 +86,7 @@ EdgeCone edge_cone(const FacetView& view, std::uint32_t index) {
     return cone;
   }
   // The arc ends on a normal of each facet, on the side that the other facet does not lie on.
-  cone.inward[1] = inward_direction(view, edge, edge.facet[1], along);
+  cone.inward[1] = edge.inward[1];
   const Vec3d other = view.mesh->facets[edge.facet[1]].normal;
   cone.first = dot(normal, cone.inward[1]) <= 0 ? normal : -normal;
   cone.last = dot(other, cone.inward[0]) <= 0 ? other : -other;
@@ -113,17 +95,24 @@ EdgeCone edge_cone(const FacetView& view, std::uint32_t index) {
 }
 
 bool end_is_owned(const FacetView& view, std::uint32_t edge, std::uint32_t vertex, const Vec3d& w, const Vec3d& x) {
-  const Vec3d at = view.vertex(vertex);
-  for (std::uint32_t i = 0; i < view.mesh->edges.size(); ++i) {
-    const auto& e = view.edge(i);
-    if (e.vertex[0] != vertex && e.vertex[1] != vertex) continue;
-    if (i < edge) return false;
-    const Vec3d away = view.vertex(e.vertex[e.vertex[0] == vertex ? 1 : 0]) - at;
-    if (dot(w, away) > 0) return false;
-    for (const std::uint32_t f : e.facet)
+  const std::span<const std::uint32_t> around = edges_at(view, vertex);
+  if (around.front() != edge) return false;
+  for (const std::uint32_t i : around) {
+    if (dot(w, away_from(view, i, vertex)) > 0) return false;
+    for (const std::uint32_t f : view.edge(i).facet)
       if (f != shapes::Mesh::none && view.over_region(f, x)) return false;
   }
   return true;
+}
+
+std::span<const std::uint32_t> edges_at(const FacetView& view, std::uint32_t vertex) {
+  const auto& first = view.mesh->first_vertex_edge;
+  return {view.mesh->vertex_edges.data() + first[vertex], first[vertex + 1] - first[vertex]};
+}
+
+Vec3d away_from(const FacetView& view, std::uint32_t edge, std::uint32_t vertex) {
+  const auto& e = view.edge(edge);
+  return view.vertex(e.vertex[e.vertex[0] == vertex ? 1 : 0]) - view.vertex(vertex);
 }
 
 Contact not_met(const FacetView& view, double lower, const Mat3d& rotation, double up) {

@@ -6,6 +6,8 @@
 // answers once, and a concave edge never.
 #pragma once
 
+#include <span>
+
 #include "libcontact/contact.h"
 #include "libcontact/scale.h"
 
@@ -28,10 +30,19 @@ struct FacetView {
   Vec3d edge_start(std::uint32_t i) const { return vertex(edge(i).vertex[0]); }
   Vec3d edge_vector(std::uint32_t i) const { return vertex(edge(i).vertex[1]) - edge_start(i); }
 
-  // x projects into a triangle of facet f, borders included to rounding: no crack between triangles.
+  // Calls use(edge) for every edge around facet f.
+  template <class Use>
+  void for_each_border(std::uint32_t f, Use&& use) const {
+    const auto& at = mesh->facets[f];
+    for (std::uint32_t k = 0; k < at.border_count; ++k) use(mesh->facet_borders[at.first_border + k]);
+  }
+  // x projects into facet f, borders included to rounding. By the borders alone: the triangulation does not show.
   bool over_region(std::uint32_t f, const Vec3d& x) const;
-  // Distance of x to the facet's region.
-  double distance(const Vec3d& x) const;
+  // The point of the facet that is nearest to x.
+  Vec3d nearest(const Vec3d& x) const;
+  double distance(const Vec3d& x) const { return norm(x - nearest(x)); }
+  // max over the facet of direction·x.
+  double highest(const Vec3d& direction) const;
 };
 
 // Extent of the pair: |offset|, the body's radius and the reach of the facet, for the choice of the unit. m.
@@ -43,12 +54,15 @@ struct EdgeCone {
   Vec3d point, direction;  // the edge's start and vector, turned so that first -> last is counter-clockwise about it
   Vec3d first, last;       // unit: each a normal of one of the facets (both of the one facet at an open boundary)
   Vec3d inward[2];         // in-plane directions into the facets, the second zero at an open boundary
-  Vec3d middle() const;    // unit, inside the arc
   bool holds(const Vec3d& w) const { return dot(w, inward[0]) <= 0 && dot(w, inward[1]) <= 0; }
   // The body is met across the edge along m. False from the inner side of a concave edge, whose arc lies behind it.
   bool faces(const Vec3d& m, const Vec3d& centre) const { return dot(m, centre - point) > 0; }
 };
 EdgeCone edge_cone(const FacetView& view, std::uint32_t edge);
+
+// The real edges that meet at a vertex, and the vector along one of them away from it.
+std::span<const std::uint32_t> edges_at(const FacetView& view, std::uint32_t vertex);
+Vec3d away_from(const FacetView& view, std::uint32_t edge, std::uint32_t vertex);
 
 // The end of an edge answers from the lowest-numbered real edge that meets it, for directions w away from every edge
 // there and when no facet there holds the projection of `x`.

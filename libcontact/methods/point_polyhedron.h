@@ -22,4 +22,14 @@ struct SurfacePoint {
 // sight.
 SurfacePoint surface_point(const shapes::Polyhedron& p, double scale, const shapes::Vec3d& x, double size);
 
+// The face plane over which x is highest; lanes run over faces, ties go to the lowest index.
+struct FaceHeight {
+  double height;
+  std::uint32_t index;
+};
+FaceHeight highest_face(const shapes::Polyhedron& p, double scale, const shapes::Vec3d& x);
+
+// x lies over the face: on the inner side of the plane through each of its edges along the normal.
+bool over_face(const shapes::Polyhedron& p, const shapes::Polyhedron::Face& face, double scale, const shapes::Vec3d& x);
+
 }  // namespace contact

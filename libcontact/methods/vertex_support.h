@@ -50,7 +50,8 @@ inline Extreme lowest(const double* x, const double* y, const double* z, std::si
   best = min(best2, best);
   const double value = hmin(best);
   where(best != value, at) = static_cast<double>(n);
-  return {value, static_cast<std::uint32_t>(hmin(at))};
+  const double index = hmin(at);  // n when the direction is not a number: the caller refuses the value
+  return {value, index < static_cast<double>(n) ? static_cast<std::uint32_t>(index) : 0};
 }
 
 inline Extreme lowest_vertex(const shapes::Polyhedron& p, const shapes::Vec3d& direction) {

@@ -6,8 +6,9 @@
 #include "libcontact/methods/analytic.h"
 #include "libcontact/methods/features.h"
 #include "libcontact/methods/polyhedron_plane.h"
-#include "poly_reference.h"
+#include "libcontact/methods/sat.h"
 #include "shapes/mesh_build.h"
+#include "tests/libcontact/poly_reference.h"
 
 namespace {
 
@@ -151,6 +152,62 @@ TEST(MeshFacets, ConvexBoxAnswersOnceLikeTheSolid) {
   EXPECT_GT(touching, 800);
   EXPECT_GT(edges, 120);
   EXPECT_GT(corners, 8);
+}
+
+// A polyhedron outside a convex box mesh is met by one facet alone, whether on a face, an edge or a corner, with the
+// gap and normal of the solid box: corners of the mesh in a large face and corners of the polyhedron in the mesh alike.
+TEST(MeshFacets, PolyhedraMeetABoxMeshOnceLikeTheSolid) {
+  const Vec3d half{1, 0.8, 0.6};
+  const Mesh mesh = box_mesh(half);
+  const Polyhedron box = shapes::make_box(2.0 * half);
+  const Polyhedron solids[] = {shapes::make_box({0.7, 0.5, 0.4}), shapes::make_box({3, 3, 1}),
+                               shapes::make_platonic(shapes::Platonic::dodecahedron, 0.5), grain("cement140_06.off")};
+  Draw draw(3);
+  int faces = 0, edges = 0, corners = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Polyhedron& p = solids[i % 4];
+    const auto solid = place(p, i % 4 == 3 ? 0.5 / p.circumradius : 1, draw.orientation());
+    const Vec3d direction = draw.direction();
+    const double depth = i % 8 < 4 ? 0.01 : 0.05;
+    double near = 0, far = 4;
+    for (int k = 0; k < 45; ++k) {
+      const double middle = 0.5 * (near + far);
+      (Sat::query(solid, place(box, 1, {}), direction * middle, {}, nullptr).gap < -depth ? near : far) = middle;
+    }
+    const Contact exact = Sat::query(solid, place(box, 1, {}), direction * near, {}, nullptr);
+    const Found found = contacts(solid, mesh, direction * near);
+    ASSERT_EQ(found.count, 1) << i;
+    ASSERT_NEAR(found.contact.gap, exact.gap, 1e-13) << i;
+    ASSERT_LE(norm(found.contact.normal - exact.normal), 1e-12) << i;
+    const Vec3d n = exact.normal;
+    const double most = max_abs(n);
+    const bool corner_in_face = std::any_of(
+        p.faces.begin(), p.faces.end(), [&](const auto& f) { return dot(solid.rotation * f.normal, n) > 1 - 1e-12; });
+    (most > 1 - 1e-12 ? faces : (corner_in_face ? corners : edges)) += 1;
+  }
+  EXPECT_GT(faces, 200);
+  EXPECT_GT(edges, 200);
+  EXPECT_GT(corners, 200);
+}
+
+// A body that lies past the border of a sheet, with its lowest point under it, does not meet it.
+TEST(MeshFacets, BeyondTheBorderAndUnderneathIsNoContact) {
+  const Mesh mesh = shapes::mesh_from_triangles(std::vector<Vec3d>{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}},
+                                                std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3});
+  const Quatd tilt{std::cos(M_PI / 8), 0, -std::sin(M_PI / 8), 0};  // the z axis leans to −x
+  const Polyhedron rod = shapes::make_box({0.1, 0.1, 2});
+  const Placed<shapes::Ellipsoid> needle{{0.1, 0.1, 1}, rotation_matrix(tilt)};
+  const Vec3d axis = rotation_matrix(tilt).column(2);
+  ASSERT_LT(axis.x, 0);
+  const Vec3d at{-1.5, 0, 0.2};  // its lower end points to +x, under the sheet; the axis passes x = −1.3 at z = 0
+  for (const bool quick : {false, true}) {
+    Options options;
+    options.overlap_only = quick;
+    EXPECT_EQ(Features::query(place(rod, 1, tilt), wall(mesh, 0), -at, options, nullptr).status, Status::separated);
+    EXPECT_EQ(Features::query(needle, wall(mesh, 0), -at, options, nullptr).status, Status::separated);
+  }
+  const Vec3d through{-0.9, 0, 0.2};
+  EXPECT_EQ(Features::query(place(rod, 1, tilt), wall(mesh, 0), -through, {}, nullptr).status, Status::overlapping);
 }
 
 // Two rectangles that meet in a room's corner: the concave edge never answers, each wall is a plane.

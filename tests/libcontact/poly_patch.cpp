@@ -3,7 +3,7 @@
 
 #include "libcontact/methods/polyhedron_plane.h"
 #include "libcontact/methods/sat.h"
-#include "poly_reference.h"
+#include "tests/libcontact/poly_reference.h"
 
 namespace {
 

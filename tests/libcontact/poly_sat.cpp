@@ -4,7 +4,7 @@
 #include <array>
 
 #include "libcontact/methods/sat.h"
-#include "poly_reference.h"
+#include "tests/libcontact/poly_reference.h"
 
 namespace {
 

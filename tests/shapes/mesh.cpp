@@ -74,6 +74,43 @@ void expect_consistent(const Mesh& m, double tolerance) {
   }
   for (const int n : seen) EXPECT_EQ(n, 1);
   EXPECT_EQ(edges, m.edges.size());
+  // Each edge stands once in the border of each of its facets and at each of its ends, and looks into them.
+  std::size_t borders = 0;
+  for (std::uint32_t f = 0; f < m.facets.size(); ++f) {
+    borders += m.facets[f].border_count;
+    for (std::uint32_t i = 0; i < m.facets[f].border_count; ++i) {
+      const std::uint32_t e = m.facet_borders[m.facets[f].first_border + i];
+      if (i > 0) {
+        EXPECT_LT(m.facet_borders[m.facets[f].first_border + i - 1], e);
+      }
+      const auto& edge = m.edges[e];
+      const Vec3d inward = edge.inward[edge.facet[0] == f ? 0 : 1], start = m.vertices[edge.vertex[0]];
+      EXPECT_TRUE(edge.facet[0] == f || edge.facet[1] == f);
+      EXPECT_NEAR(norm(inward), 1, 8 * eps);
+      EXPECT_NEAR(dot(inward, m.facets[f].normal), 0, 8 * eps);
+      EXPECT_NEAR(dot(inward, m.vertices[edge.vertex[1]] - start), 0, tolerance + 16 * eps);
+      if (m.facets[f].border_count == 4) {  // convex: all of it lies on that side
+        for (std::uint32_t k = 0; k < 4; ++k)
+          for (const std::uint32_t v : m.edges[m.facet_borders[m.facets[f].first_border + k]].vertex)
+            EXPECT_GE(dot(inward, m.vertices[v] - start), -tolerance - 16 * eps);
+      }
+    }
+  }
+  std::size_t open = 0;
+  for (const auto& edge : m.edges) {
+    open += edge.facet[1] == Mesh::none;
+    if (edge.facet[1] == Mesh::none) {
+      EXPECT_TRUE(edge.inward[1] == (Vec3d{}));
+    }
+  }
+  EXPECT_EQ(borders + open, 2 * m.edges.size());
+  ASSERT_EQ(m.first_vertex_edge.size(), m.vertices.size() + 1);
+  EXPECT_EQ(m.first_vertex_edge.back(), 2 * m.edges.size());
+  for (std::uint32_t v = 0; v < m.vertices.size(); ++v)
+    for (std::uint32_t i = m.first_vertex_edge[v]; i < m.first_vertex_edge[v + 1]; ++i) {
+      const auto& edge = m.edges[m.vertex_edges[i]];
+      EXPECT_TRUE(edge.vertex[0] == v || edge.vertex[1] == v);
+    }
 }
 
 TEST(Mesh, random_triangulation_of_a_rectangle_is_one_facet_with_four_edges) {
