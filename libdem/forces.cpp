@@ -44,7 +44,7 @@ struct Scratch {
   LawChunk law;
   SphereChunk spheres;
   contact::kernels::Lane clearance;
-  std::uint32_t pair_of[chunk_size] = {};
+  std::uint32_t entry[chunk_size] = {};
   std::uint32_t pair[chunk_size];  // the pair of materials that each lane of `law` holds
   std::uint32_t record[chunk_size] = {}, index_a[chunk_size] = {}, index_b[chunk_size] = {};
   contact::Body a[chunk_size], b[chunk_size];
@@ -84,6 +84,12 @@ class ForcePass {
   }
 
  private:
+  void begin(std::size_t k, Scratch& s) const {
+    if (c_.touching[k] != 0) return;
+    c_.touching[k] = 1;
+    s.changed.push_back(static_cast<std::uint32_t>(k));
+  }
+
   void forget(std::size_t k, Scratch& s) const {
     if (c_.touching[k] == 0) return;
     c_.history[k] = {};
@@ -117,11 +123,6 @@ class ForcePass {
   void store(std::size_t n, Scratch& s) const {
     set_.store_history(s.law, s.record, n, c_.history.data());
     set_.store_slots(s.law, s.record, n, c_.slot.data());
-    for (std::size_t i = 0; i < n; ++i) {
-      std::uint8_t& touching = c_.touching[s.record[i]];
-      if (touching == 0) s.changed.push_back(s.record[i]);
-      touching = 1;
-    }
   }
 
   void run_law(LawChunk& l, std::size_t n, bool patch) const {
@@ -140,17 +141,24 @@ class ForcePass {
     set_.sphere_clearance(p_.motion.data(), a, b, count, s.clearance);
     for (std::size_t r = 0; r < count; ++r) {
       const bool touches = s.clearance[r] < 0;
-      s.record[n] = records[r];
-      s.index_a[n] = a[r];
-      s.index_b[n] = b[r];
-      s.pair_of[n] = bin.pair[first + r];
+      s.entry[n] = static_cast<std::uint32_t>(r);
       n += touches ? 1 : 0;
-      if (!touches && c_.touching[records[r]] != 0) forget(records[r], s);
+      if (touches != (c_.touching[records[r]] != 0)) {  // seldom
+        if (touches)
+          begin(records[r], s);
+        else
+          forget(records[r], s);
+      }
     }
     for (std::size_t i = 0; i < n; ++i) {
-      __builtin_prefetch(&c_.history[s.record[i]], 1);
-      __builtin_prefetch(&c_.slot[s.record[i]], 1);
-      load_pair(i, s.pair_of[i], s);
+      const std::size_t r = s.entry[i];
+      const std::uint32_t k = records[r];
+      __builtin_prefetch(&c_.history[k], 1);
+      __builtin_prefetch(&c_.slot[k], 1);
+      s.record[i] = k;
+      s.index_a[i] = a[r];
+      s.index_b[i] = b[r];
+      load_pair(i, bin.pair[first + r], s);
     }
     pad(s.index_a, n);
     pad(s.index_b, n);
@@ -196,6 +204,7 @@ class ForcePass {
       load_pair(n, bin.pair[first + r], s);
       s.arm_a[n] = lever;
       s.arm_b[n] = wall_arm;
+      begin(k, s);
       s.record[n++] = static_cast<std::uint32_t>(k);
     }
     load_histories(n, s);
@@ -265,6 +274,7 @@ class ForcePass {
       if (!q.certified) ++t.uncertified;
       load_pair(n, bin.pair[first + r], s);
       gather(k, r, n, q, s);
+      begin(k, s);
       s.record[n++] = static_cast<std::uint32_t>(k);
     }
     t.touching = n;
