@@ -106,6 +106,7 @@ def versions(args, with_lammps):
 
 def main():
     args = arguments()
+    args.dem = os.path.abspath(args.dem)
     if not os.path.exists(args.dem):
         sys.exit(f"{args.dem} is not there: build first (./run does)")
     with_lammps = shutil.which("lmp") is not None and (args.cores == 1 or shutil.which("mpirun") is not None)

@@ -73,8 +73,7 @@ inline V patch_couple(LawChunk& c, std::size_t i, const V& n, const NormalForce<
 }
 
 template <class Law, bool patch>
-__attribute__((flatten))
-void law_kernel(LawChunk& c, std::size_t count, double dt_scalar, bool rescale) {
+__attribute__((flatten)) void law_kernel(LawChunk& c, std::size_t count, double dt_scalar, bool rescale) {
   using std::sqrt;
   const Pack dt(dt_scalar), zero(0), one(1);
   for (std::size_t i = 0; i < count; i += Pack::size()) {
