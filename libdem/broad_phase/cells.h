@@ -26,7 +26,7 @@ class Cells {
     for (int k = 0; k < 3; ++k) {
       const double span = high[k] - low[k];
       // A long, thin scene may use more cells along one axis, but never more than 64 per body on the whole.
-      const double n = std::clamp(std::floor(span / reach), 1.0, 16 * limit);
+      const double n = reach > 0 ? std::clamp(std::floor(span / reach), 1.0, 16 * limit) : 1;  // no bodies: no reach
       number_[k] = static_cast<std::int64_t>(n);
     }
     while (number_[0] * number_[1] * number_[2] > 64 * static_cast<std::int64_t>(count) + 64) {

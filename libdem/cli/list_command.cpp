@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "libcontact/dispatch.h"
+#include "libcontact/laws/list.h"
 #include "libdem/cli/commands.h"
 #include "libdem/scene/data_files.h"
 #include "libdem/scene/schema.h"
@@ -58,15 +59,23 @@ Json pairs_json() {
   return out;
 }
 
+template <class Law>
+Json law_json() {
+  Json keys = Json::array();
+  for (const Key& key : find_key("law")->section->keys)
+    if (std::find(key.selected.begin(), key.selected.end(), Law::name) != key.selected.end()) keys.push_back(key.name);
+  return {{"name", Law::name},
+          {"normal", Law::Normal::name},
+          {"tangential", Law::Tangential::name},
+          {"material", Law::parameters},
+          {"keys", keys},
+          {"history_bytes", sizeof(contact::History)},
+          {"remark", Law::remark},
+          {"source", Law::source}};
+}
+
 Json laws_json() {
-  Json out = Json::array();
-  for (const std::string& name : find_key("law.name")->choices) {
-    Json keys = Json::array();
-    for (const Key& key : find_key("law")->section->keys)
-      if (std::find(key.selected.begin(), key.selected.end(), name) != key.selected.end()) keys.push_back(key.name);
-    out.push_back({{"name", name}, {"keys", keys}});
-  }
-  return out;
+  return std::apply([](auto... law) { return Json::array({law_json<decltype(law)>()...}); }, contact::Laws{});
 }
 
 Json keys_json() {

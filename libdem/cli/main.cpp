@@ -1,8 +1,10 @@
 // The dem program: reads the command line and hands over to a command. The only source file that includes CLI11.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 
 #include "libdem/cli/commands.h"
@@ -147,7 +149,17 @@ int run_program(int argc, char** argv) {
 
 }  // namespace
 
+// Threads that wait should give way soon: on a machine with other work, waiting by spinning makes two threads slower
+// than one. OpenMP reads this before main begins, so the program starts itself once more with it; a caller's own choice
+// stands.
+static void wait_politely(char** argv) {
+  if (std::getenv("OMP_WAIT_POLICY") != nullptr || std::getenv("GOMP_SPINCOUNT") != nullptr) return;
+  setenv("GOMP_SPINCOUNT", "2000", 1);
+  execv("/proc/self/exe", argv);  // on failure: go on as we are
+}
+
 int main(int argc, char** argv) {
+  wait_politely(argv);
   try {
     return run_program(argc, argv);
   } catch (const dem::InputError& error) {
