@@ -60,6 +60,8 @@ SurfacePoint surface_point(const shapes::Polyhedron& p, double scale, const Vec3
   double known[cap];
   const std::size_t heights = p.faces.size() <= cap ? p.faces.size() : 0;
   for (std::size_t i = 0; i < heights; ++i) known[i] = height(p, i, scale, x);
+  // The analyser loses track of the loop above, which has set every known[i] that is read.
+  // NOLINTNEXTLINE(clang-analyzer-core.uninitialized.UndefReturn)
   const auto height_over = [&](std::size_t i) { return heights > 0 ? known[i] : height(p, i, scale, x); };
   // A face that x is over is the highest, up to rounding between nearly parallel ones.
   for (std::size_t i = 0; i < p.faces.size(); ++i)
