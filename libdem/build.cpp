@@ -27,24 +27,32 @@ std::uint32_t material_index(const World& world, const std::string& name, const 
 void add_particle(World& world, std::uint32_t shape, std::uint32_t material, double scale, const Vec3d& position,
                   const Quatd& orientation, const Vec3d& velocity, const Vec3d& spin) {
   const ShapeEntry& s = world.shapes[shape];
-  const double density = world.materials[material].density, cube = scale * scale * scale;
   Particles& p = world.particles;
   p.id.push_back(world.next_id++);
   p.shape.push_back(shape);
   p.kind.push_back(s.kind);
   p.material.push_back(material);
   p.size.push_back(s.size * scale);
-  p.mass.push_back(density * s.volume * cube);
-  p.inertia.push_back(s.inertia * (density * (cube * scale * scale)));
   p.orientation.push_back(shapes::normalized(orientation));
-  p.rotation.push_back({});
-  const shapes::Mat3d r = shapes::rotation_matrix(p.orientation.back());
-  p.angular_momentum.push_back(r * shapes::scaled(p.inertia.back(), shapes::transposed_times(r, spin)));
-  p.force.push_back({});
-  p.torque.push_back({});
-  p.motion.push_back(
-      {position, s.circumradius * scale, velocity, 1 / p.mass.back(), spin, s.equivalent_radius * scale});
+  p.motion.push_back({.position = position, .velocity = velocity, .spin = spin});
+  p.mass.push_back(0);
+  for (auto* list : {&p.inertia, &p.rotation, &p.angular_momentum, &p.force, &p.torque}) list->push_back({});
+  set_mass(world, p.count() - 1, scale);
   ++world.counters.inserted;
+}
+
+void set_mass(World& world, std::size_t i, double scale) {
+  Particles& p = world.particles;
+  const ShapeEntry& s = world.shapes[p.shape[i]];
+  const double density = world.materials[p.material[i]].density, cube = scale * scale * scale;
+  Motion& m = p.motion[i];
+  p.mass[i] = density * s.volume * cube;
+  p.inertia[i] = s.inertia * (density * (cube * scale * scale));
+  m.inverse_mass = 1 / p.mass[i];
+  m.bounding_radius = s.circumradius * scale;
+  m.equivalent_radius = s.equivalent_radius * scale;
+  const shapes::Mat3d r = shapes::rotation_matrix(p.orientation[i]);
+  p.angular_momentum[i] = r * shapes::scaled(p.inertia[i], shapes::transposed_times(r, m.spin));
 }
 
 namespace {

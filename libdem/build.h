@@ -11,6 +11,8 @@ Wall make_wall(const WallSpec& spec, std::uint32_t material);
 // Appends a body; `where` is kept by the caller for messages. scale multiplies the shape's size.
 void add_particle(World& world, std::uint32_t shape, std::uint32_t material, double scale, const Vec3d& position,
                   const Quatd& orientation, const Vec3d& velocity, const Vec3d& spin);
+// What follows from shape, material, scale, orientation and spin: mass, inertia, radii, angular momentum.
+void set_mass(World& world, std::size_t i, double scale);
 // Fills a box; throws InputError when the bodies do not fit.
 void add_fill(World& world, const FillSpec& spec, std::uint64_t stream);
 void add_csv(World& world, const CsvSpec& spec);

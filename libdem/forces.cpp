@@ -265,9 +265,9 @@ class ForcePass {
       const std::size_t k = records[r];
       const contact::Contact& q = s.answer[r];
       c_.cache[k] = s.cache[r];
-      if (q.status == contact::Status::not_converged) ++t.not_converged;
-      if (q.status == contact::Status::refused) ++t.not_converged;
-      if (!(q.gap < 0) || q.status == contact::Status::refused) {
+      const bool refused = q.status == contact::Status::refused;
+      if (refused || q.status == contact::Status::not_converged) ++t.not_converged;
+      if (refused || !(q.gap < 0)) {
         forget(k, s);
         continue;
       }

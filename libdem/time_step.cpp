@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "libcontact/laws/list.h"
 #include "libdem/build.h"
 
 namespace dem {
@@ -36,7 +37,8 @@ double limit_of(double omega_squared, double beta) {
 
 // β of the damping as the law applies it: cn = 2 β' sqrt(m* kn), with sqrt(5/6) for Hertz.
 double law_beta(const World& world, const PairParameters& q) {
-  return world.scene.law.name == LawName::hertz_mindlin ? q.damping * 0.91287092917527685 : q.damping;
+  const bool hertz = world.scene.law.name == LawName::hertz_mindlin;
+  return q.damping * (0.5 * (hertz ? contact::Hertz::damping_factor : contact::Linear::damping_factor));
 }
 
 // At an overlap; (9.7), (9.16) for Hertz–Mindlin.

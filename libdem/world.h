@@ -81,7 +81,7 @@ struct DischargePoint {
 };
 
 struct PhaseTimes {  // wall seconds
-  double broad = 0, query = 0, law = 0, sum = 0, integrate = 0, walls = 0, output = 0, loop = 0;
+  double broad = 0, query = 0, sum = 0, integrate = 0, walls = 0, output = 0, loop = 0;
 };
 
 struct TimeStep {          // how dt was found

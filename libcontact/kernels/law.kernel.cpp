@@ -30,7 +30,7 @@ struct HertzMindlin {
   static Pack stiffness_t(const LawChunk& c, std::size_t i, const NormalForce<Pack>& f) {
     return Pack(8) * load(c.shear_eff, i) * f.contact_radius;  // (9.16)
   }
-  static constexpr double tangential_damping = 1.8257418583505538;  // 2 sqrt(5/6), as for the normal dashpot
+  using Normal = Hertz;
   static constexpr bool shrinks = true;
 };
 
@@ -39,7 +39,7 @@ struct SpringDashpot {
     return Linear::update<Pack>({load(c.stiffness_n, i), load(c.damping, i)}, k);
   }
   static Pack stiffness_t(const LawChunk& c, std::size_t i, const NormalForce<Pack>&) { return load(c.stiffness_t, i); }
-  static constexpr double tangential_damping = 2;
+  using Normal = Linear;
   static constexpr bool shrinks = false;
 };
 
@@ -86,7 +86,7 @@ __attribute__((flatten)) void law_kernel(LawChunk& c, std::size_t count, double 
     const Pack part = select(travelled > depth, depth / select(travelled > depth, travelled, one), one);
     const Pack dt_contact = select(fresh, part * dt, dt);
     const Pack onset = select(fresh && travelled > zero, part, zero);
-    const Kinematics<Pack> k{depth, n, vn, v - n * vn, load(c.radius_eff, i), load(c.mass_eff, i), before, dt, onset};
+    const Kinematics<Pack> k{depth, n, vn, v - n * vn, load(c.radius_eff, i), load(c.mass_eff, i), dt, onset};
     const NormalForce<Pack> f = Law::normal(c, i, k);
     Pack shrink = one;
     if (Law::shrinks && rescale) {
@@ -95,7 +95,7 @@ __attribute__((flatten)) void law_kernel(LawChunk& c, std::size_t count, double 
     }
     V elastic = carried(load(c.history_force, i), load(c.history_normal, i), n, load(c.turn, i) * dt) * shrink;
     const Pack kt = Law::stiffness_t(c, i, f);
-    const Pack ct = Pack(Law::tangential_damping) * load(c.damping, i) * sqrt(k.mass_eff * kt);
+    const Pack ct = Pack(Law::Normal::damping_factor) * load(c.damping, i) * sqrt(k.mass_eff * kt);
     const V ft = CoulombSpring::update(kt, ct, load(c.friction, i) * f.force, k.slip, dt_contact, elastic);
     store(c.force, i, -(n * f.force + ft));
     if constexpr (patch) store(c.couple, i, patch_couple(c, i, n, f, kt, ct, dt_contact, shrink));

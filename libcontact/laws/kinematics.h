@@ -20,7 +20,6 @@ struct Kinematics {
   T closing_speed;         // dδ/dt = v·n, m/s
   shapes::Vec3<T> slip;    // v − (v·n) n, m/s
   T radius_eff, mass_eff;  // R*, m; m*, kg
-  T previous_overlap;      // m, 0: was not touching
   T dt;                    // s, the step; 0: the force as it stands
   T onset;                 // part of the step since δ = 0 when the contact began in it, else 0, –
 };

@@ -2,8 +2,6 @@
 // they see Kinematics (overlap, normal, velocities, effective radius and mass) and answer with a force.
 #pragma once
 
-#include <cstdint>
-
 #include "shapes/math/vec.h"
 
 namespace contact {

@@ -9,9 +9,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
+#include "libdem/build.h"
 #include "libdem/io/hdf5.h"
 #include "libdem/io/io.h"
 
@@ -107,27 +106,10 @@ void put_contacts(hdf5::File& file, const std::string& at, const World& world) {
   file.put(at + "/history_twist", twist, 1);
 }
 
-// Masses follow from shape, material and size: a particle is its shape scaled by s, so volume ~ s³ and inertia ~ s⁵.
-void set_derived(World& world, std::size_t i) {
-  Particles& p = world.particles;
-  const ShapeEntry& shape = world.shapes[p.shape[i]];
-  const double s = p.size[i].x / shape.size.x, density = world.materials[p.material[i]].density;
-  const double s3 = s * s * s;
-  p.mass[i] = density * shape.volume * s3;
-  p.inertia[i] = shape.inertia * (density * s3 * s * s);
-  p.motion[i].inverse_mass = 1 / p.mass[i];
-  p.motion[i].bounding_radius = s * shape.circumradius;
-  p.motion[i].equivalent_radius = s * std::cbrt(shape.volume * 0.75 / std::numbers::pi);
-  const Mat3d r = rotation_matrix(p.orientation[i]);
-  p.angular_momentum[i] = r * scaled(p.inertia[i], transposed_times(r, p.motion[i].spin));
-}
-
 void get_particles(const hdf5::File& file, const std::string& at, World& world) {
   Particles& p = world.particles;
   p.id = file.get<std::uint64_t>(at + "/id");
   p.shape = file.get<std::uint32_t>(at + "/shape");
-  p.kind.clear();
-  for (const std::uint32_t shape : p.shape) p.kind.push_back(world.shapes.at(shape).kind);
   p.material = file.get<std::uint32_t>(at + "/material");
   const std::size_t n = p.id.size();
   const auto vectors = [&](const std::string& name) {
@@ -143,6 +125,8 @@ void get_particles(const hdf5::File& file, const std::string& at, World& world) 
   };
   if (orientation.size() != 4 * n || !known(p.shape, world.shapes.size()) || !known(p.material, world.materials.size()))
     throw RunError("the record's frame " + at + " does not belong to this scene");
+  p.kind.clear();
+  for (const std::uint32_t shape : p.shape) p.kind.push_back(world.shapes[shape].kind);
   for (auto* list : {&p.size, &p.rotation, &p.angular_momentum, &p.inertia, &p.force, &p.torque})
     list->assign(n, Vec3d{});
   p.motion.assign(n, Motion{});
@@ -155,7 +139,7 @@ void get_particles(const hdf5::File& file, const std::string& at, World& world) 
     p.motion[i].position = vector_at(position, i);
     p.motion[i].velocity = vector_at(velocity, i);
     p.motion[i].spin = vector_at(spin, i);
-    set_derived(world, i);
+    set_mass(world, i, p.size[i].x / world.shapes[p.shape[i]].size.x);
   }
 }
 

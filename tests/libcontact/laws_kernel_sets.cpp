@@ -158,7 +158,6 @@ TEST(KernelSets, LanesAreTheScalarLaw) {
     k.slip = v - n * k.closing_speed;
     k.radius_eff = in.radius_eff[i];
     k.mass_eff = in.mass_eff[i];
-    k.previous_overlap = in.history_overlap[i];
     const auto hertz = Hertz::update<double>({in.young_eff[i], in.damping[i]}, k);
     const auto linear = Linear::update<double>({in.stiffness_n[i], in.damping[i]}, k);
     if (in.friction[i] != 0) continue;  // with friction the tangential part adds to it

@@ -25,6 +25,7 @@ inline ShapeEntry round_entry(const std::string& name, const Vec3d& axes) {
   e.kind = sphere ? shapes::Kind::sphere : shapes::Kind::ellipsoid;
   e.size = axes;
   e.volume = v;
+  e.equivalent_radius = std::cbrt(v * 0.75 / std::numbers::pi);
   e.inertia = Vec3d{s.y + s.z, s.x + s.z, s.x + s.y} * (v / 5);
   e.circumradius = max_abs(axes);
   e.inscribed_radius = std::min({axes.x, axes.y, axes.z});
@@ -37,6 +38,7 @@ inline ShapeEntry polyhedron_entry(const std::string& name, shapes::Polyhedron p
   e.kind = shapes::Kind::polyhedron;
   e.size = {1, 1, 1};
   e.volume = p.mass.volume;
+  e.equivalent_radius = std::cbrt(e.volume * 0.75 / std::numbers::pi);
   e.inertia = {p.mass.inertia.row[0].x, p.mass.inertia.row[1].y, p.mass.inertia.row[2].z};
   e.circumradius = p.circumradius;
   e.inscribed_radius = p.inscribed_radius;
@@ -55,8 +57,8 @@ inline void add_body(World& world, std::uint32_t shape, std::uint32_t material, 
   p.size.push_back(e.size * scale);
   p.mass.push_back(density * e.volume * s3);
   p.inertia.push_back(e.inertia * (density * s3 * scale * scale));
-  p.motion.push_back({position, scale * e.circumradius, velocity, 1 / p.mass.back(), spin,
-                      scale * std::cbrt(e.volume * 0.75 / std::numbers::pi)});
+  p.motion.push_back(
+      {position, scale * e.circumradius, velocity, 1 / p.mass.back(), spin, scale * e.equivalent_radius});
   p.orientation.push_back(normalized(orientation));
   p.rotation.push_back(spin * 0.5);
   p.angular_momentum.push_back({});

@@ -18,6 +18,7 @@ namespace contact {
 
 struct Hertz {
   static constexpr const char* name = "hertz";
+  static constexpr double damping_factor = 1.8257418583505538;  // 2 sqrt(5/6): c = factor · β sqrt(m* k)
   template <class T>
   struct Pair {
     T young_eff, damping;  // E*, β
@@ -25,10 +26,10 @@ struct Hertz {
   template <class T>
   static NormalForce<T> update(const Pair<T>& p, const Kinematics<T>& k) {
     using std::sqrt;
-    const T a = sqrt(k.radius_eff * k.overlap);                              // (8.12)
-    const T kn = T(2) * p.young_eff * a;                                     // (9.7)
-    const T fe = T(2.0 / 3.0) * kn * k.overlap;                              // (9.6)
-    const T c0 = T(1.8257418583505538) * p.damping * sqrt(k.mass_eff * kn);  // 2 sqrt(5/6)
+    const T a = sqrt(k.radius_eff * k.overlap);  // (8.12)
+    const T kn = T(2) * p.young_eff * a;         // (9.7)
+    const T fe = T(2.0 / 3.0) * kn * k.overlap;  // (9.6)
+    const T c0 = T(damping_factor) * p.damping * sqrt(k.mass_eff * kn);
     const T cn = c0 * lag_factor(c0, k.mass_eff, k.dt, 10.0 / 11.0);
     const auto begins = k.onset > T(0);
     const T x = select(begins, k.onset, T(1)), since = x + T(0.5);

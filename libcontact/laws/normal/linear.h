@@ -16,6 +16,7 @@ namespace contact {
 
 struct Linear {
   static constexpr const char* name = "linear";
+  static constexpr double damping_factor = 2;  // c = factor · β sqrt(m* k)
   template <class T>
   struct Pair {
     T stiffness_n, damping;  // kn, β
@@ -23,8 +24,8 @@ struct Linear {
   template <class T>
   static NormalForce<T> update(const Pair<T>& p, const Kinematics<T>& k) {
     using std::sqrt;
-    const T fe = p.stiffness_n * k.overlap;                            // (9.20)
-    const T c0 = T(2) * p.damping * sqrt(k.mass_eff * p.stiffness_n);  // (9.26)
+    const T fe = p.stiffness_n * k.overlap;                                         // (9.20)
+    const T c0 = T(damping_factor) * p.damping * sqrt(k.mass_eff * p.stiffness_n);  // (9.26)
     const T cn = c0 * lag_factor(c0, k.mass_eff, k.dt, 1.0);
     const T w = select(k.onset > T(0), k.onset + T(0.5), T(1));
     const T f = larger(fe + w * cn * k.closing_speed, T(0));  // (9.24)
