@@ -34,7 +34,9 @@ class Output {
       : options_(options),
         frame_every_(steps_between(world.scene.output.interval, world.time_step.dt)),
         checkpoint_every_(steps_between(world.scene.output.checkpoint_interval, world.time_step.dt)),
-        first_step_(world.step) {
+        first_step_(world.step),
+        silent_(options.folder.empty()) {
+    if (silent_) return;
     fs::create_directories(options.folder);
     if (!resumed) io::write_file(path("scene.toml"), scene_to_toml(world.scene));
     const OutputSpec& what = world.scene.output;
@@ -48,29 +50,34 @@ class Output {
     }
   }
 
-  bool due_now(std::uint64_t step) const { return due(step, frame_every_) || due(step, checkpoint_every_); }
+  bool due_now(std::uint64_t step) const {
+    return !silent_ && (due(step, frame_every_) || due(step, checkpoint_every_));
+  }
   // Frames come before the checkpoint of the same step: a resume then has every frame up to its checkpoint.
   void write_due(const World& world) {
     if (due(world.step, frame_every_)) frame(world);
     if (due(world.step, checkpoint_every_)) checkpoint(world);
   }
-  void checkpoint(const World& world) const { io::write_checkpoint(options_.folder, world.step, save_state(world)); }
+  void checkpoint(const World& world) const {
+    if (!silent_) io::write_checkpoint(options_.folder, world.step, save_state(world));
+  }
   void frame(const World& world) {
     if (vtk_) vtk_->write(world);
     if (record_) record_->write(world);
   }
   // The state as it is, whether the run reached its end or failed.
   void state(const World& world) {
+    if (silent_) return;
     frame(world);
     io::write_final_csv(path("final.csv"), world);
     if (!world.scene.outlets.empty()) io::write_discharge_csv(path("discharge.csv"), world);
   }
   void picture(const World& world) const {
-    if (world.scene.output.picture && render::available())
+    if (!silent_ && world.scene.output.picture && render::available())
       render::write_png(path("final.png"), render::draw(world, render::View{}));
   }
   void summary(const World& world, const std::string& end) const {
-    io::write_summary(path("summary.json"), world, end, options_.threads, first_step_);
+    if (!silent_) io::write_summary(path("summary.json"), world, end, options_.threads, first_step_);
   }
 
  private:
@@ -78,6 +85,7 @@ class Output {
 
   const RunOptions& options_;
   std::uint64_t frame_every_, checkpoint_every_, first_step_;
+  bool silent_;
   std::optional<io::VtkSeries> vtk_;
   std::optional<io::Record> record_;
 };
@@ -108,6 +116,7 @@ RunEnd run(World& world, const RunOptions& options, bool resumed) {
         return RunEnd::interrupted;
       }
       advance(world, options.threads);
+      if (options.observe) options.observe(world);
       if (output.due_now(world.step)) timed(world.times.output, [&] { output.write_due(world); });
       if (options.progress && seconds_since(shown) >= 0.1) {
         options.progress(world);

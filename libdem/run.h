@@ -11,10 +11,11 @@
 namespace dem {
 
 struct RunOptions {
-  std::string folder;
+  std::string folder;  // empty: nothing is written
   int threads = 1;
   const std::atomic<bool>* interrupt = nullptr;  // set by a signal handler: write a checkpoint and return
   std::function<void(const World&)> progress;    // called about ten times a second of wall time
+  std::function<void(const World&)> observe;     // called after every step
 };
 
 enum class RunEnd { finished, interrupted };

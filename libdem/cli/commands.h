@@ -52,6 +52,14 @@ struct RenderArguments {
 };
 int render_command(const RenderArguments& arguments);
 
+struct ValidateArguments {
+  std::vector<std::string> names;  // empty: all
+  std::string folder, csv;         // empty: not written
+  bool list = false, force = false;
+  int threads = 0;
+};
+int validate_command(const ValidateArguments& arguments);
+
 int explain_command(const std::string& key);
 
 }  // namespace dem::cli

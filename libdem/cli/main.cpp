@@ -100,6 +100,22 @@ void add_render(CLI::App& app, RenderArguments& a, std::string& size) {
   sub->add_option("--size", size, "Width x height in pixels")->capture_default_str()->type_name("WxH");
 }
 
+void add_validate(CLI::App& app, ValidateArguments& a) {
+  CLI::App* sub =
+      command(app, "validate", "Run shipped scenes and compare them with exact answers and published numbers.",
+              "  dem validate --list\n"
+              "  dem validate two_bodies box_stack --out out/validate\n"
+              "  dem validate --csv validate.csv\n"
+              "Exit code 0: every criterion holds; 1: one does not.");
+  sub->add_option("names", a.names, "Validations of --list; all when left out")->type_name("NAME");
+  sub->add_option("--out", a.folder, "Each scene writes its run into DIR/NAME (default: nothing is written)")
+      ->type_name("DIR");
+  sub->add_option("--csv", a.csv, "Write the table to this file")->type_name("FILE");
+  sub->add_flag("--list", a.list, "Say what there is, and run nothing");
+  sub->add_flag("--force", a.force, "Replace the runs that DIR/NAME holds (only files that a run writes)");
+  add_threads(sub, a.threads);
+}
+
 void parse_size(const std::string& text, RenderArguments& a) {
   int used = 0;
   const bool ok = std::sscanf(text.c_str(), "%dx%d%n", &a.width, &a.height, &used) == 2 &&
@@ -122,6 +138,7 @@ int run_program(int argc, char** argv) {
   ListArguments list;
   ContactArguments contact;
   RenderArguments render;
+  ValidateArguments validate;
   std::string size = "1200x900", key;
   add_run(app, run);
   add_resume(app, resume);
@@ -129,6 +146,7 @@ int run_program(int argc, char** argv) {
   add_list(app, list);
   add_contact(app, contact);
   add_render(app, render, size);
+  add_validate(app, validate);
   command(app, "explain", "Explain a key of the scene format.", "  dem explain run.dt\n  dem explain wall")
       ->add_option("key", key, "Path of the key")
       ->required();
@@ -142,6 +160,7 @@ int run_program(int argc, char** argv) {
   if (app.got_subcommand("check")) return check_command(check);
   if (app.got_subcommand("list")) return list_command(list);
   if (app.got_subcommand("contact")) return contact_command(contact);
+  if (app.got_subcommand("validate")) return validate_command(validate);
   if (app.got_subcommand("explain")) return explain_command(key);
   parse_size(size, render);
   return render_command(render);

@@ -22,6 +22,11 @@ std::string data_folder() {
   return named && *named ? named : DEM_SOURCE_DATA_DIR;
 }
 
+std::string scenes_folder() {
+  const char* named = std::getenv("DEM_SCENES");
+  return named && *named ? named : DEM_SOURCE_SCENES_DIR;
+}
+
 std::string resolve_file(const std::string& name, const std::string& base) {
   for (const auto& [prefix, folder] : collections)
     if (name.starts_with(prefix))

@@ -9,6 +9,8 @@ namespace dem {
 
 // The folder of the shipped shapes: $DEM_DATA, or shapes/data of the source tree.
 std::string data_folder();
+// The folder of the shipped scenes: $DEM_SCENES, or libdem/scenes of the source tree.
+std::string scenes_folder();
 
 // "grain:ma165_01" (20 to 24 vertices), "grain-fine:ma165_01" (48 to 85) and "solid:cube" name shipped files; another
 // path is relative to `base` (the folder of the scene file). The result is absolute; nothing is checked.

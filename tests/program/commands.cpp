@@ -117,7 +117,7 @@ TEST(Explain, PrintsTheEntry) {
 }
 
 TEST(Help, EveryCommandHasExamples) {
-  for (const char* command : {"run", "resume", "check", "list", "contact", "render", "explain"}) {
+  for (const char* command : {"run", "resume", "check", "list", "contact", "render", "explain", "validate"}) {
     const Outcome o = program::dem({command, "--help"});
     EXPECT_EQ(o.exit_code, 0) << command;
     EXPECT_TRUE(has(o.out, std::string("dem ") + command)) << o.out;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "libdem/scene/data_files.h"
 #include "libdem/scene/nearest.h"
 #include "libdem/scene/schema.h"
 #include "tests/program/program.h"
@@ -168,7 +169,7 @@ TEST(SceneFormat, PositionsStayWithTheBodies) {
 
 TEST(SceneFormat, ShippedScenesLoad) {
   int scenes = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(DEM_SOURCE_SCENES_DIR)) {
+  for (const auto& entry : std::filesystem::directory_iterator(scenes_folder())) {
     if (entry.path().extension() != ".toml") continue;
     EXPECT_NO_THROW(load_scene(entry.path().string())) << entry.path();
     ++scenes;

@@ -1,0 +1,15 @@
+#include "libdem/validate/list.h"
+
+namespace dem::validate {
+
+extern const Validation two_bodies, box_stack;
+
+const std::vector<const Validation*>& validations() {
+  static const std::vector<const Validation*> list{
+      &two_bodies,
+      &box_stack,
+  };
+  return list;
+}
+
+}  // namespace dem::validate
