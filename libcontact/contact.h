@@ -72,8 +72,46 @@ struct Placed<shapes::Polyhedron> {
   Mat3d rotation;
 };
 template <>
+struct Placed<shapes::RoundedPolyhedron> {
+  Placed<shapes::Polyhedron> core;
+  double radius;
+};
+template <>
+struct Placed<shapes::PotentialParticle> {
+  const shapes::PotentialParticle* shape;
+  double scale;
+  Mat3d rotation;
+};
+// Bodies of the plane: z of every vector is exactly 0, `cosine` and `sine` turn body axes to world axes.
+template <>
+struct Placed<shapes::Disc> {
+  double radius;
+};
+template <>
+struct Placed<shapes::Ellipse> {
+  double a, b;
+  double cosine, sine;
+};
+template <>
+struct Placed<shapes::Polygon> {
+  const shapes::Polygon* shape;
+  double scale;
+  double cosine, sine;
+};
+template <>
 struct Placed<shapes::Plane> {
   Vec3d normal;  // unit, out of the solid; the plane passes through the body's origin
+};
+template <>
+struct Placed<shapes::Line> {
+  Vec3d normal;  // unit, z = 0, out of the solid; the line passes through the body's origin
+};
+template <>
+struct Placed<shapes::Polyline> {  // one side of a polyline wall: the part that a contact record belongs to
+  const shapes::Polyline* polyline;
+  std::uint32_t side;
+  double scale;
+  double cosine, sine;
 };
 template <>
 struct Placed<shapes::Mesh> {  // one facet of a mesh wall: the part that a contact record belongs to

@@ -14,10 +14,11 @@ namespace contact {
 // A placed body of any kind, as chunks carry it: trivially copyable, no ownership.
 struct Body {
   shapes::Kind kind = shapes::Kind::sphere;
-  std::uint32_t part = 0;              // mesh: facet
-  const void* geometry = nullptr;      // shapes::Polyhedron or shapes::Mesh
-  Vec3d size{};                        // sphere: (radius, -, -); ellipsoid: semi-axes; polyhedron, mesh: (scale, -, -)
-  Mat3d rotation = Mat3d::identity();  // body -> world; plane: normal = third column
+  std::uint32_t part = 0;              // mesh: facet; polyline: side
+  const void* geometry = nullptr;      // the shape of kinds that are not given by `size` alone
+  Vec3d size{};                        // sphere, disc: (radius, -, -); ellipsoid: semi-axes; ellipse: (a, b, -);
+                                       // rounded polyhedron: (scale, rounding radius, -); others: (scale, -, -)
+  Mat3d rotation = Mat3d::identity();  // body -> world; plane: normal = third column; line: normal = second column
 };
 
 template <class S>
@@ -29,6 +30,18 @@ Placed<S> placed(const Body& b) {
   if constexpr (std::is_same_v<S, shapes::Plane>) return {b.rotation.column(2)};
   if constexpr (std::is_same_v<S, shapes::Mesh>)
     return {static_cast<const shapes::Mesh*>(b.geometry), b.part, b.size.x, b.rotation};
+  if constexpr (std::is_same_v<S, shapes::RoundedPolyhedron>)
+    return {{static_cast<const shapes::Polyhedron*>(b.geometry), b.size.x, b.rotation}, b.size.y};
+  if constexpr (std::is_same_v<S, shapes::PotentialParticle>)
+    return {static_cast<const shapes::PotentialParticle*>(b.geometry), b.size.x, b.rotation};
+  const double cosine = b.rotation.row[0].x, sine = b.rotation.row[1].x;
+  if constexpr (std::is_same_v<S, shapes::Disc>) return {b.size.x};
+  if constexpr (std::is_same_v<S, shapes::Ellipse>) return {b.size.x, b.size.y, cosine, sine};
+  if constexpr (std::is_same_v<S, shapes::Polygon>)
+    return {static_cast<const shapes::Polygon*>(b.geometry), b.size.x, cosine, sine};
+  if constexpr (std::is_same_v<S, shapes::Line>) return {b.rotation.column(1)};
+  if constexpr (std::is_same_v<S, shapes::Polyline>)
+    return {static_cast<const shapes::Polyline*>(b.geometry), b.part, b.size.x, cosine, sine};
 }
 
 // Answers n pairs of one bin: out[i] for (a[i], b[i], offset[i]); cache may be null, else n entries.

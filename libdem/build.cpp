@@ -154,7 +154,7 @@ World build_world(const Scene& scene) {
   }
   for (const OutletSpec& o : scene.outlets) world.outlets.push_back({o.name, 0, 0});
   for (std::size_t i = 0; i < world.particles.count(); ++i) {
-    if (world.shapes[world.particles.shape[i]].kind == shapes::Kind::sphere) continue;
+    if (turns_uniformly(world.particles.kind[i])) continue;
     world.particles.motion[i].spin =
         spin_of(world.particles.orientation[i], world.particles.angular_momentum[i], world.particles.inertia[i]);
   }

@@ -24,7 +24,7 @@ Vec3d get(const Lane3& lane, std::size_t i) { return {lane.x[i], lane.y[i], lane
 
 struct WallFrame {  // of this step
   contact::Body body;
-  Vec3d normal;  // plane
+  Vec3d normal;  // plane, line
 };
 
 struct Tally {
@@ -66,7 +66,7 @@ class ForcePass {
       b.geometry = w.mesh.get();
       b.size = {1, 1, 1};
       b.rotation = shapes::rotation_matrix(w.orientation);
-      walls_.push_back({b, b.rotation.column(2)});
+      walls_.push_back({b, b.rotation.column(w.kind == shapes::Kind::line ? 1 : 2)});
     }
   }
 
@@ -78,7 +78,7 @@ class ForcePass {
       if (bin.query != nullptr)
         t += general(bin, first, count, s);
       else
-        t += bin.b == shapes::Kind::plane ? sphere_planes(bin, first, count, s) : sphere_pairs(bin, first, count, s);
+        t += is_half_space(bin.b) ? sphere_planes(bin, first, count, s) : sphere_pairs(bin, first, count, s);
     }
     return t;
   }
@@ -226,7 +226,7 @@ class ForcePass {
     b.kind = e.kind;
     b.geometry = e.polyhedron.get();
     b.size = p_.size[i];
-    if (e.kind != shapes::Kind::sphere) b.rotation = shapes::rotation_matrix(p_.orientation[i]);
+    if (!is_round(e.kind)) b.rotation = shapes::rotation_matrix(p_.orientation[i]);
     return b;
   }
 
@@ -249,7 +249,7 @@ class ForcePass {
         s.b[r].part = c_.key[k].part;
         s.offset[r] = world_.walls[ib].position - x;
         // The plane's own origin may be far away: its foot below the body serves as well and keeps every digit.
-        if (bin.b == shapes::Kind::plane) s.offset[r] = walls_[ib].normal * dot(walls_[ib].normal, s.offset[r]);
+        if (is_half_space(bin.b)) s.offset[r] = walls_[ib].normal * dot(walls_[ib].normal, s.offset[r]);
       } else {
         s.b[r] = body_of(ib);
         s.offset[r] = p_.motion[ib].position - x;
@@ -278,7 +278,8 @@ class ForcePass {
       s.record[n++] = static_cast<std::uint32_t>(k);
     }
     t.touching = n;
-    const bool patch = bin.a == shapes::Kind::polyhedron;
+    const bool patch = bin.a == shapes::Kind::polyhedron || bin.a == shapes::Kind::rounded_polyhedron ||
+                       bin.a == shapes::Kind::polygon;
     load_histories(n, s);
     run_law(l, n, patch);
     for (std::size_t i = 0; i < n; ++i) {

@@ -18,6 +18,12 @@ using shapes::Vec3d;
 
 using contact::Motion;
 
+// Bodies whose spin stays along their angular momentum: spheres, and everything that moves in a plane.
+constexpr bool turns_uniformly(shapes::Kind k) { return k == shapes::Kind::sphere || shapes::dimension_of(k) == 2; }
+// Kinds that the sphere kernels answer: their contact is that of their centres and radii.
+constexpr bool is_round(shapes::Kind k) { return k == shapes::Kind::sphere || k == shapes::Kind::disc; }
+constexpr bool is_half_space(shapes::Kind k) { return k == shapes::Kind::plane || k == shapes::Kind::line; }
+
 struct Particles {
   std::vector<std::uint64_t> id;
   std::vector<std::uint32_t> shape;     // index into World::shapes

@@ -26,7 +26,7 @@ struct BodyAt {
   std::size_t i;
   bool sphere;
   BodyAt(Particles& particles, std::size_t index)
-      : p(particles), m(particles.motion[index]), i(index), sphere(particles.kind[index] == shapes::Kind::sphere) {}
+      : p(particles), m(particles.motion[index]), i(index), sphere(turns_uniformly(particles.kind[index])) {}
 
   [[gnu::always_inline]] void kick(const Vec3d& gravity, double h) {
     m.velocity += (p.force[i] * m.inverse_mass + gravity) * h;

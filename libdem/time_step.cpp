@@ -24,7 +24,7 @@ Compliance compliance(const World& world, std::size_t i) {
   const Motion& m = p.motion[i];
   const Vec3d& inertia = p.inertia[i];
   const double smallest = std::min({inertia.x, inertia.y, inertia.z}), r = m.bounding_radius;
-  const bool sphere = p.kind[i] == shapes::Kind::sphere;
+  const bool sphere = is_round(p.kind[i]);
   // Across the body's longest line the lever of a normal force is at most half the difference to the inscribed sphere.
   const double inscribed = world.shapes[p.shape[i]].inscribed_radius * (r / world.shapes[p.shape[i]].circumradius);
   const double arm2 = sphere ? 0 : r * r - inscribed * inscribed;

@@ -42,8 +42,9 @@ void wall_candidates(const World& world, std::size_t i, const std::vector<shapes
     const Vec3d d = m.position - wall.position;
     Record record{
         {world.particles.id[i], wall_base + w, 0}, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(w)};
-    if (wall.kind == shapes::Kind::plane) {
-      if (dot(frames[w].column(2), d) < reach) row.push_back(record);
+    if (is_half_space(wall.kind)) {
+      const Vec3d normal = frames[w].column(wall.kind == shapes::Kind::plane ? 2 : 1);
+      if (dot(normal, d) < reach) row.push_back(record);
       continue;
     }
     const Vec3d x = transposed_times(frames[w], d);
@@ -170,7 +171,7 @@ void fill_bins(World& world) {
     int& bin = bin_of[static_cast<std::size_t>(a) * shapes::kind_count + static_cast<std::size_t>(b)];
     if (bin < 0) {
       bin = static_cast<int>(c.bins.size());
-      const bool closed = a == shapes::Kind::sphere && (b == shapes::Kind::sphere || b == shapes::Kind::plane);
+      const bool closed = is_round(a) && (is_round(b) || is_half_space(b));
       all_spheres = all_spheres && closed;
       c.bins.push_back({a, b, closed ? nullptr : contact::find(a, b, world.scene.method), {}, {}, {}, {}});
     }
@@ -201,7 +202,7 @@ bool candidates_outdated(const World& world) {
     const Quatd turn = w.orientation * shapes::conjugate(w.list_orientation);
     const double half_angle_sine = shapes::norm(Vec3d{turn.x, turn.y, turn.z});
     const double moved = shapes::norm(w.position - w.list_position) + 2 * half_angle_sine * w.extent;
-    if (moved >= half || (w.kind == shapes::Kind::plane && half_angle_sine > 0)) return true;
+    if (moved >= half || (is_half_space(w.kind) && half_angle_sine > 0)) return true;
   }
   return false;
 }

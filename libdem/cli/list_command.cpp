@@ -21,7 +21,7 @@ Json shapes_json() {
   Json out = Json::array();
   for (std::size_t i = 0; i < shapes::kind_count; ++i) {
     const auto kind = static_cast<shapes::Kind>(i);
-    const bool wall = kind == shapes::Kind::plane || kind == shapes::Kind::mesh;
+    const bool wall = shapes::is_wall(kind);
     Json words = Json::array();
     const Key* key = find_key(wall ? "wall.kind" : "shape.kind");
     for (const std::string& word : key->choices) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <stdexcept>
 
 #include "libcontact/dispatch.h"
 #include "shapes/math/quat.h"
@@ -75,6 +76,8 @@ Body random_body(Kind kind, Draw& draw) {
       b.size = {draw.uniform(0.5, 1.5), 0, 0};
       b.part = static_cast<std::uint32_t>(draw.engine() % wall().facets.size());
       break;
+    default:
+      throw std::logic_error("no sample of this kind");
   }
   return b;
 }
@@ -89,7 +92,7 @@ double circumradius(const Body& b) {
       return b.size.x * static_cast<const shapes::Polyhedron*>(b.geometry)->circumradius;
     case Kind::plane:
       return 0;
-    case Kind::mesh:
+    default:
       break;
   }
   double r = 0;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "libcontact/dispatch.h"
@@ -94,10 +95,19 @@ TEST(List, JsonHasEveryList) {
     EXPECT_NE(keyword.out.find(law["name"].get<std::string>()), std::string::npos) << keyword.out;
   EXPECT_EQ(all["grains"].size(), 120u + 120u + 13u);
   EXPECT_GT(all["keys"].size(), 80u);
+  // Every pair of one dimension has a method, but for two walls and for kinds that nothing answers yet.
+  std::map<std::string, shapes::Kind> kind;
+  for (std::size_t i = 0; i < shapes::kind_count; ++i)
+    kind[shapes::name_of(static_cast<shapes::Kind>(i))] = static_cast<shapes::Kind>(i);
+  const auto answered = [](shapes::Kind k) {
+    return std::any_of(contact::methods_begin(), contact::methods_end(),
+                       [&](const contact::MethodInfo& m) { return m.a == k || m.b == k; });
+  };
   for (const json& pair : all["pairs"]) {
-    const std::string a = pair["a"], b = pair["b"];
-    const bool walls = (a == "plane" || a == "mesh") && (b == "plane" || b == "mesh");
-    EXPECT_EQ(pair["methods"].empty(), walls) << a << " " << b;
+    const shapes::Kind a = kind.at(pair["a"]), b = kind.at(pair["b"]);
+    if (!answered(a) || !answered(b)) continue;
+    const bool never = (shapes::is_wall(a) && shapes::is_wall(b)) || shapes::dimension_of(a) != shapes::dimension_of(b);
+    EXPECT_EQ(pair["methods"].empty(), never) << pair["a"] << " " << pair["b"];
   }
 }
 
