@@ -52,6 +52,12 @@ struct RenderArguments {
 };
 int render_command(const RenderArguments& arguments);
 
+struct NewArguments {
+  std::string name, from = "two_bodies";
+};
+int new_command(const NewArguments& arguments);
+int schema_command();
+
 struct ValidateArguments {
   std::vector<std::string> names;  // empty: all
   std::string folder, csv;         // empty: not written

@@ -8,6 +8,7 @@
 #include "libcontact/laws/list.h"
 #include "libdem/cli/commands.h"
 #include "libdem/scene/data_files.h"
+#include "libdem/scene/material_library.h"
 #include "libdem/scene/schema.h"
 
 namespace dem::cli {
@@ -91,6 +92,35 @@ Json keys_json() {
   return out;
 }
 
+Json materials_json() {
+  Json out = Json::array();
+  for (const NamedMaterial& m : named_materials())
+    out.push_back({{"name", m.name},
+                   {"young_Pa", m.young},
+                   {"poisson", m.poisson},
+                   {"density_kg_m3", m.density ? Json(*m.density) : Json("-")},
+                   {"source", m.source}});
+  return out;
+}
+
+Json friction_json() {
+  Json out = Json::array();
+  const auto or_dash = [](const std::optional<double>& v) { return v ? Json(*v) : Json("-"); };
+  for (const PublishedFriction& f : published_friction())
+    out.push_back({{"published", f.name},
+                   {"friction", f.friction},
+                   {"uncertainty", or_dash(f.uncertainty)},
+                   {"up_to", or_dash(f.highest)},
+                   {"source", f.reference}});
+  return out;
+}
+
+Json scenes_json() {
+  Json out = Json::array();
+  for (const std::string& name : shipped_scenes()) out.push_back({{"name", name}, {"title", title_of_scene(name)}});
+  return out;
+}
+
 Json grains_json() {
   Json out = Json::array();
   for (const std::string& name : shipped_names()) out.push_back(name);
@@ -103,6 +133,9 @@ Json topic_json(const std::string& topic) {
   if (topic == "laws") return laws_json();
   if (topic == "pairs") return pairs_json();
   if (topic == "keys") return keys_json();
+  if (topic == "materials") return materials_json();
+  if (topic == "friction") return friction_json();
+  if (topic == "scenes") return scenes_json();
   return grains_json();
 }
 
@@ -149,7 +182,8 @@ void print_pairs() {
 }  // namespace
 
 const std::vector<std::string>& list_topics() {
-  static const std::vector<std::string> topics{"shapes", "methods", "laws", "pairs", "keys", "grains"};
+  static const std::vector<std::string> topics{"shapes",    "methods",  "laws",   "pairs", "keys",
+                                               "materials", "friction", "scenes", "grains"};
   return topics;
 }
 

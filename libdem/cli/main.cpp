@@ -116,6 +116,14 @@ void add_validate(CLI::App& app, ValidateArguments& a) {
   add_threads(sub, a.threads);
 }
 
+void add_new(CLI::App& app, NewArguments& a) {
+  CLI::App* sub = command(app, "new", "Begin a scene as a copy of a shipped one.",
+                          "  dem new mine.toml\n  dem new silo/mine.toml --from hopper_grains\n"
+                          "dem list scenes shows what there is.");
+  sub->add_option("name", a.name, "File to write; .toml is added when it is missing")->required()->type_name("NAME");
+  sub->add_option("--from", a.from, "The shipped scene")->capture_default_str()->type_name("SCENE");
+}
+
 void parse_size(const std::string& text, RenderArguments& a) {
   int used = 0;
   const bool ok = std::sscanf(text.c_str(), "%dx%d%n", &a.width, &a.height, &used) == 2 &&
@@ -139,6 +147,7 @@ int run_program(int argc, char** argv) {
   ContactArguments contact;
   RenderArguments render;
   ValidateArguments validate;
+  NewArguments new_scene;
   std::string size = "1200x900", key;
   add_run(app, run);
   add_resume(app, resume);
@@ -147,6 +156,10 @@ int run_program(int argc, char** argv) {
   add_contact(app, contact);
   add_render(app, render, size);
   add_validate(app, validate);
+  add_new(app, new_scene);
+  command(app, "schema", "Print the scene format as JSON Schema (draft 2020-12), for editors.",
+          "  dem schema > dem.schema.json\n"
+          "In a scene's first line, for editors that use Taplo: #:schema ./dem.schema.json");
   command(app, "explain", "Explain a key of the scene format.", "  dem explain run.dt\n  dem explain wall")
       ->add_option("key", key, "Path of the key")
       ->required();
@@ -161,6 +174,8 @@ int run_program(int argc, char** argv) {
   if (app.got_subcommand("list")) return list_command(list);
   if (app.got_subcommand("contact")) return contact_command(contact);
   if (app.got_subcommand("validate")) return validate_command(validate);
+  if (app.got_subcommand("new")) return new_command(new_scene);
+  if (app.got_subcommand("schema")) return schema_command();
   if (app.got_subcommand("explain")) return explain_command(key);
   parse_size(size, render);
   return render_command(render);

@@ -1,6 +1,7 @@
 // summary.json: what a run did, in one page. Keys: title, version, end, steps, time, dt, dt_limit, dt_limited_by,
 // threads, particles, particle_steps_per_s, seconds, contacts_per_particle, counters, energies, momentum,
-// momentum_balance, mass_balance, outlets, walls, state_hash. SI units.
+// momentum_balance, mass_balance, outlets, materials and
+// published_friction with their sources, walls, state_hash. SI units.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -112,6 +113,13 @@ void write_summary(const std::string& path, const World& world, const std::strin
   summary["outlets"] = Json::array();
   for (const OutletRecord& o : world.outlets)
     summary["outlets"].push_back({{"name", o.name}, {"count", o.count}, {"mass", o.mass}});
+  summary["materials"] = Json::array();
+  for (const MaterialSpec& m : world.scene.materials)
+    summary["materials"].push_back({{"name", m.name}, {"like", m.like}, {"source", m.source}});
+  summary["published_friction"] = Json::array();
+  for (const MaterialPairSpec& p : world.scene.pairs)
+    if (!p.source.empty())
+      summary["published_friction"].push_back({{"a", p.a}, {"b", p.b}, {"friction", p.friction}, {"source", p.source}});
   summary["walls"] = Json::array();
   for (const Wall& w : world.walls)
     summary["walls"].push_back({{"name", w.name}, {"force", list(w.force)}, {"torque", list(w.torque)}});

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "libdem/scene/node.h"
+
 namespace dem {
 
 namespace fs = std::filesystem;
@@ -15,17 +17,17 @@ namespace {
 constexpr std::array<std::pair<std::string_view, std::string_view>, 3> collections{
     {{"grain:", "ct_hull_coarse"}, {"grain-fine:", "ct_hull_fine"}, {"solid:", "solids"}}};
 
+std::string folder_named(const char* variable, const char* standard) {
+  const char* named = std::getenv(variable);
+  return named && *named ? named : standard;
+}
+
 }  // namespace
 
-std::string data_folder() {
-  const char* named = std::getenv("DEM_DATA");
-  return named && *named ? named : DEM_SOURCE_DATA_DIR;
-}
+std::string data_folder() { return folder_named("DEM_DATA", DEM_SOURCE_DATA_DIR); }
 
-std::string scenes_folder() {
-  const char* named = std::getenv("DEM_SCENES");
-  return named && *named ? named : DEM_SOURCE_SCENES_DIR;
-}
+std::string scenes_folder() { return folder_named("DEM_SCENES", DEM_SOURCE_SCENES_DIR); }
+std::string materials_folder() { return folder_named("DEM_MATERIALS", DEM_SOURCE_MATERIALS_DIR); }
 
 std::string resolve_file(const std::string& name, const std::string& base) {
   for (const auto& [prefix, folder] : collections)
@@ -44,6 +46,23 @@ std::string shipped_name(const std::string& path) {
 
 bool is_shipped(std::string_view name) {
   return std::any_of(collections.begin(), collections.end(), [&](const auto& c) { return name.starts_with(c.first); });
+}
+
+std::string path_of_scene(const std::string& name) { return (fs::path(scenes_folder()) / (name + ".toml")).string(); }
+
+std::vector<std::string> shipped_scenes() {
+  std::vector<std::string> names;
+  std::error_code missing;
+  for (const auto& entry : fs::directory_iterator(scenes_folder(), missing))
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string title_of_scene(const std::string& name) {
+  const Node root = read_toml_file(path_of_scene(name));
+  const Node* title = root.get("title");
+  return title ? title->text : "";
 }
 
 std::vector<std::string> shipped_names() {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <tuple>
 
 namespace dem {
 
@@ -46,14 +47,15 @@ void Errors::add(const Position& position, std::string message) { found_.emplace
 
 Where Errors::where(const Position& position) const {
   if (position.line <= 0) return {"--set", 0, 0};
-  return {file_, position.line, position.column};
+  return {file(position), position.line, position.column};
 }
 
 void Errors::throw_if_any() const {
   if (found_.empty()) return;
   auto sorted = found_;
   std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
-    return std::pair(a.first.line, a.first.column) < std::pair(b.first.line, b.first.column);
+    return std::tuple(a.first.file, a.first.line, a.first.column) <
+           std::tuple(b.first.file, b.first.line, b.first.column);
   });
   std::string text;
   for (std::size_t i = 0; i < std::min(sorted.size(), most_printed); ++i)

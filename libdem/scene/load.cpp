@@ -9,12 +9,15 @@ namespace dem {
 
 Scene load_scene(const std::string& path, const std::vector<std::string>& overrides) {
   if (!std::filesystem::is_regular_file(path)) input_error({path, 0, 0}, "no such scene file");
-  Node root = read_toml_file(path);
+  std::vector<std::string> files;
+  Node root = read_with_includes(path, files);
   apply_overrides(root, overrides);
   Scene scene;
   scene.path = path;
-  Errors errors(path);
-  read_by_schema(root, std::filesystem::path(path).parent_path().string(), scene, errors);
+  Errors errors(files);
+  read_by_schema(root, scene, errors);
+  errors.throw_if_any();
+  apply_libraries(root, scene, errors);
   errors.throw_if_any();
   check_rules(root, scene, errors);  // needs a scene whose every value is sound
   errors.throw_if_any();

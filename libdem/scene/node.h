@@ -9,8 +9,9 @@
 
 namespace dem {
 
-struct Position {  // in the scene file, from 1; line 0: the value came from --set
+struct Position {  // in a file, from 1; line 0: the value came from --set
   int line = 0, column = 0;
+  std::uint16_t file = 0;  // 0: the scene itself; else one that it includes
 };
 
 struct Node {
@@ -47,8 +48,8 @@ struct Node::Entry {
 // As TOML writes it; numbers in the shortest form that reads back to the same bits.
 std::string to_toml(const Node& node);
 
-// Reads a TOML file. Throws InputError with the position of a syntax error.
-Node read_toml_file(const std::string& path);
+// Reads a TOML file; positions carry `file`. Throws InputError with the position of a syntax error.
+Node read_toml_file(const std::string& path, std::uint16_t file = 0);
 // The value of a --set override: TOML, or plain text when it is no TOML value (so that names need no quotes).
 Node read_toml_value(const std::string& text);
 

@@ -79,6 +79,7 @@ void apply(Node& root, const std::string& text) {
     plain += (plain.empty() ? "" : ".") + name;
     const Key* key = section->find(name);
     if (!key) refuse(text, fmt::format("unknown key {}{}", plain, suggestion(plain, key_paths())));
+    if (plain == "include") refuse(text, "a list of files is read before overrides: state it in the scene");
     if (o.path.empty()) {
       Node value = read_toml_value(o.value);
       // Text needs no quotes, even when it looks like a number.

@@ -30,7 +30,7 @@ std::string with_value(const std::string& path, const Node& value, const std::st
 
 class Reader {
  public:
-  Reader(std::string base, Errors& errors) : base_(std::move(base)), errors_(errors) {}
+  explicit Reader(Errors& errors) : errors_(errors) {}
 
   void table(const Section& section, const Node& node, const std::string& path, void* spec) {
     if (Where* where = section.where(spec)) *where = errors_.where(node.position);
@@ -83,7 +83,8 @@ class Reader {
   }
 
   void file(const Key& key, const Node& node, const std::string& path, void* spec) {
-    const std::string resolved = resolve_file(node.text, base_);
+    const std::string resolved =
+        resolve_file(node.text, std::filesystem::path(errors_.file(node.position)).parent_path().string());
     if (!std::filesystem::is_regular_file(resolved)) {
       const std::string near = is_shipped(node.text) ? suggestion(node.text, shipped_names()) : "";
       return errors_.add(node.position, with_value(path, node, fmt::format("no such file ({}){}", resolved, near)));
@@ -109,7 +110,6 @@ class Reader {
     errors_.add(entry.position, fmt::format("unknown key {}{}", join(path, entry.name), hint));
   }
 
-  std::string base_;
   Errors& errors_;
 };
 
@@ -136,8 +136,8 @@ void references(const Section& section, const Node& node, const std::string& pat
 
 }  // namespace
 
-void read_by_schema(const Node& root, const std::string& base, Scene& scene, Errors& errors) {
-  Reader(base, errors).table(schema(), root, "", &scene);
+void read_by_schema(const Node& root, Scene& scene, Errors& errors) {
+  Reader(errors).table(schema(), root, "", &scene);
   references(schema(), root, "", root, errors);
 }
 

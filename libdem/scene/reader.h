@@ -12,8 +12,12 @@ namespace dem {
 
 // Puts `key=value` overrides into the tree; material[0].young and material.NAME.young address entries of arrays.
 void apply_overrides(Node& root, const std::vector<std::string>& overrides);
-// Fills the scene and resolves file names relative to `base`; what is wrong goes to `errors`.
-void read_by_schema(const Node& root, const std::string& base, Scene& scene, Errors& errors);
+// A scene file with the files that it includes merged into it; `files` receives the name of each.
+Node read_with_includes(const std::string& path, std::vector<std::string>& files);
+// Fills the scene and resolves file names relative to the file that states them; what is wrong goes to `errors`.
+void read_by_schema(const Node& root, Scene& scene, Errors& errors);
+// Values of named materials and published friction: what `like` and `published` stand for.
+void apply_libraries(const Node& root, Scene& scene, Errors& errors);
 // What the schema cannot say: rules that join several keys.
 void check_rules(const Node& root, const Scene& scene, Errors& errors);
 

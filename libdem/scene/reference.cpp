@@ -39,6 +39,46 @@ std::string default_of(const Found& f, std::string_view path) {
   return fault(*f.key, std::string(path), value) ? "" : to_toml(value);
 }
 
+// How --set addresses the key: entries of arrays of tables by name or by number.
+std::string set_form(std::string_view path) {
+  const Section* section = &schema();
+  std::string out = "--set ";
+  for (;;) {
+    const std::size_t dot = path.find('.');
+    const Key& key = *section->find(path.substr(0, dot));
+    out += key.name;
+    if (dot == std::string_view::npos) return out + "=…";
+    if (key.type == KeyType::tables) out += key.section->find("name") ? ".NAME" : "[0]";
+    out += ".";
+    section = key.section.get();
+    path.remove_prefix(dot + 1);
+  }
+}
+
+// "material[0].young" and "material.glass.young" mean material.young.
+std::string without_entries(std::string_view path) {
+  const Section* section = &schema();
+  std::string out;
+  bool entry = false;  // the next word may be the name of an entry
+  while (!path.empty()) {
+    const std::size_t end = path.find('.');
+    std::string word(path.substr(0, end));
+    path.remove_prefix(end == std::string_view::npos ? path.size() : end + 1);
+    const std::size_t bracket = word.find('[');
+    const bool indexed = bracket != std::string::npos;
+    if (indexed) word.erase(bracket);
+    const Key* key = section ? section->find(word) : nullptr;
+    if (!key && entry && !path.empty()) {
+      entry = false;
+      continue;
+    }
+    out += (out.empty() ? "" : ".") + word;
+    entry = key && key->type == KeyType::tables && !indexed;
+    section = key ? key->section.get() : nullptr;
+  }
+  return out;
+}
+
 }  // namespace
 
 const Key* find_key(std::string_view path) { return find(path).key; }
@@ -54,7 +94,8 @@ std::string default_text(std::string_view path) {
   return f.key && !f.key->required ? default_of(f, path) : "";
 }
 
-std::string explain(std::string_view path) {
+std::string explain(std::string_view address) {
+  const std::string path = without_entries(address);
   const Found f = find(path);
   if (!f.key) throw InputError(fmt::format("unknown key {}{}", path, suggestion(path, key_paths())));
   const Key& key = *f.key;
@@ -63,6 +104,8 @@ std::string explain(std::string_view path) {
   if (!key.choices.empty()) out += fmt::format("  allowed  {}\n", fmt::join(key.choices, ", "));
   if (key.range.bounded()) out += fmt::format("  allowed  {}\n", key.range.text(key.name));
   if (!key.refers_to.empty()) out += fmt::format("  names    a [[{}]]\n", key.refers_to);
+  if (!key.section && path != "include") out += fmt::format("  set      {}\n", set_form(path));
+  if (!key.catalogue.empty()) out += fmt::format("  names    see dem list {}\n", key.catalogue);
   if (!key.selector.empty())
     out += fmt::format("  applies  where {} = {}\n", key.selector, fmt::join(key.selected, ", "));
   const std::string standard = default_of(f, path);

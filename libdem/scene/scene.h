@@ -58,6 +58,8 @@ struct MaterialSpec {
   double friction = 0;     // –
   double stiffness = 0;    // N/m, law spring_dashpot only
   bool rigid = false;      // out of both E* and G*
+  std::string like;        // a named material; its values are in the members above
+  std::string source;      // of the values that come from it; no key
   Where where;
 };
 
@@ -66,6 +68,8 @@ struct MaterialPairSpec {  // overrides what mixing would give; NaN = mixed
   double restitution = std::numeric_limits<double>::quiet_NaN();
   double friction = std::numeric_limits<double>::quiet_NaN();
   double stiffness = std::numeric_limits<double>::quiet_NaN();
+  std::string published;  // name of a published friction coefficient; its value is in `friction`
+  std::string source;     // of that value; no key
   Where where;
 };
 

@@ -40,6 +40,19 @@ Key skin() {
   return key;
 }
 
+// Read and taken out before the rest of a scene: a resolved scene has none.
+Key include() {
+  Key key;
+  key.name = "include";
+  key.type = KeyType::texts;
+  key.sentence =
+      "TOML files that are read before this one, relative to it: arrays of tables add up, any other key here replaces "
+      "theirs.";
+  key.set = [](void*, const Node&) {};
+  key.get = [](const void*) { return Node::array_of({}); };
+  return key;
+}
+
 Key uncertified_share() {
   Key key = value<&RunSpec::max_uncertified_share>(
       "max_uncertified_share", "",
@@ -132,6 +145,9 @@ std::vector<Key> output_keys() {
 std::vector<Key> material_keys() {
   return {
       value<&MaterialSpec::name>("name", "", "Name by which bodies and walls refer to it.").own_name(),
+      value<&MaterialSpec::like>("like", "",
+                                 "A named material whose young, poisson and density stand in for those left out here.")
+          .named_in("materials"),
       value<&MaterialSpec::young>("young", "Pa", "Young's modulus; needed by law hertz_mindlin unless rigid.").above(0),
       value<&MaterialSpec::poisson>("poisson", "", "Poisson's ratio.").from(0).to(0.5),
       value<&MaterialSpec::density>("density", "kg/m^3",
@@ -154,6 +170,9 @@ std::vector<Key> pair_keys() {
       value<&MaterialPairSpec::b>("b", "", "The other one (or the same).").refers("material").must(),
       value<&MaterialPairSpec::restitution>("restitution", "", "Replaces the mixed restitution.").from(0.01).to(1),
       value<&MaterialPairSpec::friction>("friction", "", "Replaces the mixed friction.").from(0),
+      value<&MaterialPairSpec::published>(
+          "published", "", "A published friction coefficient by its pair of surfaces; replaces the mixed friction.")
+          .named_in("friction"),
       value<&MaterialPairSpec::stiffness>("stiffness", "N/m",
                                           "Replaces the mixed normal stiffness (law spring_dashpot).")
           .above(0),
@@ -273,6 +292,7 @@ std::vector<Key> body_keys() {
 
 const Section& schema() {
   static const std::shared_ptr<const Section> root = bind::section<Scene>({
+      include(),
       value<&Scene::title>("title", "", "One line about the scene."),
       table<&Scene::run>("run", "Time, step and neighbour list.", run_keys()),
       table<&Scene::output>("output", "What a run writes, and when.", output_keys()),

@@ -15,7 +15,8 @@ namespace dem {
 
 enum class KeyType {
   text,
-  file,  // a path, resolved and checked to exist
+  texts,  // a list of text
+  file,   // a path, resolved and checked to exist
   boolean,
   integer,
   number,
@@ -52,6 +53,7 @@ struct Key {
   std::string selector;               // the key applies only when this key of the same table …
   std::vector<std::string> selected;  // … has one of these values
   std::string refers_to;              // text: the name of an entry of this array of tables
+  std::string catalogue;              // text: a name of `dem list CATALOGUE`
   bool unique = false;                // text: no two tables of the array have the same
 
   // Value keys: into and out of the struct of their section.
@@ -72,6 +74,7 @@ struct Key {
     return selector = std::move(key), selected = std::move(values), *this;
   }
   Key& refers(std::string table) { return refers_to = std::move(table), *this; }
+  Key& named_in(std::string list) { return catalogue = std::move(list), *this; }
   Key& as_file() { return type = KeyType::file, *this; }
   Key& own_name() { return unique = required = true, *this; }
 };
@@ -101,6 +104,8 @@ const Key* find_key(std::string_view path);
 std::vector<std::string> key_paths();
 // Whether a value left out has a meaning that can be printed ("" when the key is then simply not set).
 std::string default_text(std::string_view path);
+// The whole schema as JSON Schema, draft 2020-12.
+std::string json_schema();
 // The reference entry of a key or a table, several lines of text.
 std::string explain(std::string_view path);
 

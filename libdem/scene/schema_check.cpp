@@ -13,6 +13,8 @@ const char* name_of(KeyType type) {
   switch (type) {
     case KeyType::text:
       return "text";
+    case KeyType::texts:
+      return "a list of text";
     case KeyType::file:
       return "a file name";
     case KeyType::boolean:
@@ -120,12 +122,23 @@ Fault lists_fault(const Key& key, const std::string& path, const Node& n, std::s
 
 Fault text_fault(const Key& key, const Node& n) {
   if (n.kind != Node::Kind::text) return {fmt::format("needs {}, found {}", name_of(key.type), found(n)), &n};
-  const bool is_name = key.unique || !key.refers_to.empty() || key.type == KeyType::file;
+  const bool is_name = key.unique || !key.refers_to.empty() || !key.catalogue.empty() || key.type == KeyType::file;
   if (is_name && n.text.empty()) return {"is empty", &n};
   if (key.choices.empty() || std::find(key.choices.begin(), key.choices.end(), n.text) != key.choices.end()) return {};
   const std::string near = nearest_name(n.text, key.choices);
   return {fmt::format("allowed {}{}", fmt::join(key.choices, ", "), near.empty() ? "" : "; did you mean " + near + "?"),
           &n};
+}
+
+Fault texts_fault(const Key& key, const Node& n) {
+  if (n.kind != Node::Kind::array) return {fmt::format("needs {}, found {}", name_of(key.type), found(n)), &n};
+  if (n.items.empty()) return {"is empty", &n};
+  for (const Node& item : n.items) {
+    if (item.kind != Node::Kind::text)
+      return {fmt::format("needs {}, found {}", name_of(key.type), found(item)), &item};
+    if (item.text.empty()) return {"has an empty name", &item};
+  }
+  return {};
 }
 
 Fault range_fault(const Key& key, const std::string& path, const Node& n) {
@@ -151,6 +164,8 @@ Fault fault(const Key& key, const std::string& path, const Node& n) {
     case KeyType::text:
     case KeyType::file:
       return text_fault(key, n);
+    case KeyType::texts:
+      return texts_fault(key, n);
     case KeyType::boolean:
       if (n.kind != Node::Kind::boolean) return {fmt::format("needs true or false, found {}", found(n)), &n};
       return {};

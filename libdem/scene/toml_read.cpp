@@ -12,23 +12,23 @@ namespace dem {
 
 namespace {
 
-Position position_of(const toml::source_region& s) {
-  return {static_cast<int>(s.begin.line), static_cast<int>(s.begin.column)};
+Position position_of(const toml::source_region& s, std::uint16_t file) {
+  return {static_cast<int>(s.begin.line), static_cast<int>(s.begin.column), file};
 }
 
-Node convert(const toml::node& in) {
+Node convert(const toml::node& in, std::uint16_t file) {
   Node out;
   if (const auto* t = in.as_table()) {
     out.kind = Node::Kind::table;
     for (const auto& [key, value] : *t)
-      out.entries.push_back({std::string(key.str()), position_of(key.source()), convert(value)});
+      out.entries.push_back({std::string(key.str()), position_of(key.source(), file), convert(value, file)});
     std::stable_sort(out.entries.begin(), out.entries.end(), [](const Node::Entry& a, const Node::Entry& b) {
       return std::pair(a.position.line, a.position.column) < std::pair(b.position.line, b.position.column);
     });
   } else if (const auto* a = in.as_array()) {
     out.kind = Node::Kind::array;
     out.items.reserve(a->size());
-    for (const auto& value : *a) out.items.push_back(convert(value));
+    for (const auto& value : *a) out.items.push_back(convert(value, file));
   } else if (const auto b = in.value_exact<bool>()) {
     out = Node::of(*b);
   } else if (const auto i = in.value_exact<std::int64_t>()) {
@@ -41,7 +41,7 @@ Node convert(const toml::node& in) {
     out.kind = Node::Kind::other;
     out.text = "date or time";
   }
-  out.position = position_of(in.source());
+  out.position = position_of(in.source(), file);
   return out;
 }
 
@@ -56,14 +56,14 @@ void forget_positions(Node& node) {
 
 }  // namespace
 
-Node read_toml_file(const std::string& path) {
+Node read_toml_file(const std::string& path, std::uint16_t number) {
   std::ifstream file(path, std::ios::binary);
   const std::string text(std::istreambuf_iterator<char>(file), {});
   if (!file.is_open() || file.bad()) input_error({path, 0, 0}, "the scene file cannot be read");
   try {
-    return convert(toml::parse(text, path));
+    return convert(toml::parse(text, path), number);
   } catch (const toml::parse_error& e) {
-    const Position p = position_of(e.source());
+    const Position p = position_of(e.source(), number);
     input_error({path, p.line, p.column}, "TOML syntax: " + std::string(e.description()));
   }
 }
@@ -72,7 +72,7 @@ Node read_toml_value(const std::string& text) {
   try {
     const toml::table t = toml::parse("value = " + text);
     if (t.size() == 1 && t.contains("value")) {
-      Node node = convert(*t.get("value"));
+      Node node = convert(*t.get("value"), 0);
       forget_positions(node);
       return node;
     }

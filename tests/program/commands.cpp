@@ -112,7 +112,8 @@ TEST(List, JsonHasEveryList) {
 }
 
 TEST(List, EachTopicPrints) {
-  for (const char* topic : {"shapes", "methods", "laws", "pairs", "keys", "grains"}) {
+  for (const char* topic :
+       {"shapes", "methods", "laws", "pairs", "keys", "materials", "friction", "scenes", "grains"}) {
     const Outcome o = program::dem({"list", topic});
     EXPECT_EQ(o.exit_code, 0) << topic;
     EXPECT_GT(std::count(o.out.begin(), o.out.end(), '\n'), 1) << topic;
@@ -124,10 +125,15 @@ TEST(Explain, PrintsTheEntry) {
   EXPECT_EQ(o.exit_code, 0);
   EXPECT_TRUE(has(o.out, "0 < dt_fraction <= 0.5") && has(o.out, "default  0.1")) << o.out;
   EXPECT_TRUE(has(program::dem({"explain", "wall"}).out, "remove_at [s]"));
+  const Outcome entry = program::dem({"explain", "material.glass.young"});
+  EXPECT_EQ(entry.out, program::dem({"explain", "material[0].young"}).out);
+  EXPECT_TRUE(has(entry.out, "--set material.NAME.young=")) << entry.out;
+  EXPECT_TRUE(has(program::dem({"explain", "fill[0].items[1].scale"}).out, "--set fill[0].items[0].scale="));
 }
 
 TEST(Help, EveryCommandHasExamples) {
-  for (const char* command : {"run", "resume", "check", "list", "contact", "render", "explain", "validate"}) {
+  for (const char* command :
+       {"run", "resume", "check", "list", "contact", "render", "explain", "validate", "new", "schema"}) {
     const Outcome o = program::dem({command, "--help"});
     EXPECT_EQ(o.exit_code, 0) << command;
     EXPECT_TRUE(has(o.out, std::string("dem ") + command)) << o.out;
