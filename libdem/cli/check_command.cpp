@@ -48,7 +48,13 @@ void print_materials(const World& world) {
     if (m.rigid) text = "rigid";
     line(m.name, fmt::format("{}, density {:.4g} kg/m^3, restitution {:.4g}, friction {:.4g}", text, m.density,
                              m.restitution, m.friction));
+    if (!m.source.empty()) line("", fmt::format("like {}: {}", m.like, m.source));
   }
+}
+
+void print_pairs(const World& world) {
+  for (const MaterialPairSpec& p : world.scene.pairs)
+    if (!p.source.empty()) line("friction", fmt::format("{} on {}: {}", p.a, p.b, p.source));
 }
 
 void print_walls(const World& world) {
@@ -125,7 +131,46 @@ Cost measure(World world) {
   return {elapsed() / done, memory(world)};
 }
 
-// Numbers that give a wrong unit away.
+// Numbers that no scene in SI units is likely to have.
+void unit_hints(const World& world, std::vector<std::string>& hints) {
+  const Particles& p = world.particles;
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+  for (const Motion& m : p.motion) {
+    smallest = std::min(smallest, m.equivalent_radius);
+    largest = std::max(largest, m.equivalent_radius);
+  }
+  if (largest > 1)
+    hints.push_back(fmt::format("bodies of radius {:.3g} m: are lengths in mm? They must be in m", largest));
+  if (p.count() > 0 && smallest < 1e-7)
+    hints.push_back(fmt::format("bodies of radius {:.3g} m are smaller than any grain: are lengths in m?", smallest));
+  if (p.count() > 0 && largest > 100 * smallest)
+    hints.push_back(fmt::format("the largest body is {:.3g} times the smallest: the neighbour search will be slow",
+                                largest / smallest));
+  for (const MaterialSpec& m : world.scene.materials) {
+    if (m.density > 3e4)
+      hints.push_back(fmt::format("\"{}\": density {:.3g} kg/m^3 is more than any solid's", m.name, m.density));
+    if (m.density > 0 && m.density < 10)
+      hints.push_back(
+          fmt::format("\"{}\": density {:.3g} kg/m^3: is it in g/cm^3? Then multiply by 1000", m.name, m.density));
+    if (m.young > 0 && m.young < 1e4)
+      hints.push_back(fmt::format("\"{}\": young {:.3g} Pa: is it in GPa or MPa? It must be in Pa", m.name, m.young));
+    if (m.young > 2e12) hints.push_back(fmt::format("\"{}\": young {:.3g} Pa is more than diamond's", m.name, m.young));
+  }
+  const double g = norm(world.scene.gravity);
+  if (g > 0 && (g < 1 || g > 30))
+    hints.push_back(fmt::format("gravity {:.3g} m/s^2; the Earth's is 9.81, the Moon's 1.62", g));
+  if (total_steps(world) > 1000000000)
+    hints.push_back(fmt::format("{:.2g} steps: softer materials, larger bodies or a shorter run.time make it less",
+                                static_cast<double>(total_steps(world))));
+  for (const Wall& w : world.walls) {
+    const double moved = (norm(w.velocity) + norm(w.spin) * w.extent) * world.time_step.dt;
+    if (p.count() > 0 && moved > 0.1 * smallest)
+      hints.push_back(
+          fmt::format("wall \"{}\" moves by {:.2g} of the smallest radius in one step", w.name, moved / smallest));
+  }
+}
+
+// What the run would regret.
 void print_warnings(const World& world) {
   const Particles& p = world.particles;
   const TimeStep& t = world.time_step;
@@ -164,6 +209,7 @@ void print_warnings(const World& world) {
   line("impact", fmt::format("at {:.3g} m/s the largest bodies overlap by {:.2g} of their radius", speed, share));
   if (share > 0.1) warnings.push_back("bodies are soft for their speed: raise the stiffness, or check the units");
   if (p.count() == 0) warnings.push_back("there are no bodies");
+  unit_hints(world, warnings);
   head(warnings.empty() ? "warnings: none" : "warnings");
   for (const std::string& w : warnings) fmt::print("  {}\n", w);
 }
@@ -175,6 +221,7 @@ int check_command(const CheckArguments& arguments) {
   fmt::print("{}{}{}\n", arguments.scene, world.scene.title.empty() ? "" : ": ", world.scene.title);
   print_bodies(world);
   print_materials(world);
+  print_pairs(world);
   print_walls(world);
   print_model(world);
   head("time");

@@ -40,6 +40,9 @@ struct Range {
   std::string text(const std::string& name) const;  // "0 < name <= 0.5"
 };
 
+// In a namespace of their own: the keys of contacts (contacts.h) have the same name.
+namespace scene_format {
+
 struct Section;
 
 struct Key {
@@ -86,6 +89,10 @@ struct Section {
   const Key* find(std::string_view name) const;
   std::vector<std::string> names() const;
 };
+
+}  // namespace scene_format
+using scene_format::Key;
+using scene_format::Section;
 
 const Section& schema();
 

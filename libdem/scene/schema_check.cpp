@@ -55,12 +55,12 @@ std::string Range::text(const std::string& name) const {
   return std::isfinite(lower) ? fmt::format("{} {} {}", lower, lower_open ? "<" : "<=", out) : out;
 }
 
-const Key* Section::find(std::string_view name) const {
+const Key* scene_format::Section::find(std::string_view name) const {
   const auto it = std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == name; });
   return it == keys.end() ? nullptr : &*it;
 }
 
-std::vector<std::string> Section::names() const {
+std::vector<std::string> scene_format::Section::names() const {
   std::vector<std::string> out;
   for (const Key& k : keys) out.push_back(k.name);
   return out;

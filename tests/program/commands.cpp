@@ -81,6 +81,23 @@ TEST(Check, WarnsOfAStepBeyondTheLimit) {
   EXPECT_TRUE(has(o.out, "of the stability limit")) << o.out << o.err;
 }
 
+TEST(Check, HintsAtWrongUnitsAndNamesSources) {
+  const Folder folder;
+  const std::string scene = folder.write("scene.toml", program::small_scene);
+  EXPECT_TRUE(has(program::dem({"check", scene}).out, "warnings: none"));
+  const auto said = [&](const char* set) {
+    return program::dem({"check", scene, "--set", "run.dt=auto", "--set", set}).out;
+  };
+  EXPECT_TRUE(has(said("material.glass.young=70"), "is it in GPa or MPa?"));
+  EXPECT_TRUE(has(said("material.glass.density=2.5"), "is it in g/cm^3?"));
+  EXPECT_TRUE(has(said("world.gravity=[0,0,-9810]"), "the Earth's is 9.81"));
+  EXPECT_TRUE(has(said("material.glass.like=steel"), "warnings: none"));
+  const Outcome named = program::dem(
+      {"check",
+       folder.write("named.toml", program::replaced(program::small_scene, "poisson = 0.25", "like = \"steel\""))});
+  EXPECT_TRUE(has(named.out, "like steel: poisson: Chung and Ooi 2011")) << named.out << named.err;
+}
+
 TEST(List, JsonHasEveryList) {
   const Outcome o = program::dem({"list", "--json"});
   ASSERT_EQ(o.exit_code, 0);
