@@ -41,6 +41,9 @@ def command_faults(root, dem, line):
             yield f"{first} is not there or cannot be run"
         if first == "./run":
             yield from dem_faults(dem, words[1:])
+    elif first.startswith(FOLDERS) and first.endswith(".sh"):
+        if not os.access(os.path.join(root, first), os.X_OK):
+            yield f"{first} is not there or cannot be run"
     elif first not in TOOLS:
         yield f"`{first}` is no command of this project"
     for word in words:
