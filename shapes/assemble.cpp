@@ -61,12 +61,8 @@ Quatd principal_axes(const Mat3d& inertia) {
 // Moves the vertices to the principal frame and returns that frame; vertices stay as they are when they are in it
 // already.
 Pose to_principal(std::vector<Vec3d>& vertices, const std::vector<Loop>& loops, MassProperties& mass) {
-  Pose frame;
-  const double size = largest_coordinate(vertices);
-  const bool centred = max_abs(mass.centre) <= 8 * std::numeric_limits<double>::epsilon() * size;
-  const bool aligned = is_diagonal(mass.inertia);
-  if (!centred) frame.position = mass.centre;
-  if (!aligned) frame.orientation = principal_axes(mass.inertia);
+  const Pose frame = principal_frame(mass, largest_coordinate(vertices));
+  const bool centred = max_abs(frame.position) == 0, aligned = is_diagonal(mass.inertia);
   if (!centred || !aligned) {
     const Mat3d rotation = rotation_matrix(frame.orientation);
     for (Vec3d& v : vertices) v = aligned ? v - frame.position : transposed_times(rotation, v - frame.position);
@@ -147,6 +143,13 @@ void complete(Polyhedron& p) {
 }
 
 }  // namespace
+
+Pose principal_frame(const MassProperties& mass, double size) {
+  Pose frame;
+  if (max_abs(mass.centre) > 8 * std::numeric_limits<double>::epsilon() * size) frame.position = mass.centre;
+  if (!is_diagonal(mass.inertia)) frame.orientation = principal_axes(mass.inertia);
+  return frame;
+}
 
 Polyhedron assemble(Faces faces, Frame frame, int exponent) {
   Polyhedron p;

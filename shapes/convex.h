@@ -72,6 +72,9 @@ std::vector<Loop> hull_faces(std::span<const Vec3d> points, double tolerance);
 // Volume, centre and inertia of the solid that the loops bound.
 MassProperties mass_of(std::span<const Vec3d> vertices, std::span<const Loop> loops);
 
+// Centre and principal axes of a body of this size; identity where it stands there already, to round-off.
+Pose principal_frame(const MassProperties& mass, double size);
+
 // The finished polyhedron, its lengths multiplied by 2^exponent.
 Polyhedron assemble(Faces faces, Frame frame, int exponent);
 

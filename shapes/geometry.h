@@ -7,6 +7,7 @@
 #include "shapes/ellipsoid.h"
 #include "shapes/mass.h"
 #include "shapes/polyhedron.h"
+#include "shapes/rounded_polyhedron.h"
 #include "shapes/sphere.h"
 
 namespace shapes {
@@ -15,17 +16,20 @@ namespace shapes {
 MassProperties mass_properties(const Sphere& s);
 MassProperties mass_properties(const Ellipsoid& e);
 MassProperties mass_properties(const Polyhedron& p);
+MassProperties mass_properties(const RoundedPolyhedron& body);
 
 // Radius of the smallest sphere about the body's origin that holds the body, m.
 double circumradius(const Sphere& s);
 double circumradius(const Ellipsoid& e);
 double circumradius(const Polyhedron& p);
+double circumradius(const RoundedPolyhedron& body);
 
 // Radius of the largest sphere about the body's origin that the body holds, m (not positive when the origin is
 // outside).
 double inscribed_radius(const Sphere& s);
 double inscribed_radius(const Ellipsoid& e);
 double inscribed_radius(const Polyhedron& p);
+double inscribed_radius(const RoundedPolyhedron& body);
 
 // Radius of the sphere of the same volume, r = (3V/4π)^(1/3), m; volume >= 0. Error 2 ulp.
 double equivalent_radius(double volume);
@@ -43,5 +47,6 @@ inline Vec3d support(const Polyhedron& p, const Vec3d& n) {
   }
   return p.vertices[best];
 }
+Vec3d support(const RoundedPolyhedron& body, const Vec3d& n);
 
 }  // namespace shapes

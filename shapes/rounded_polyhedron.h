@@ -12,4 +12,10 @@ struct RoundedPolyhedron {
   double radius{};  // m, > 0
 };
 
+// The core with its edges rounded by `radius` > 0, in the principal frame of the rounded body: its centre of mass,
+// which is not the core's when the core has no symmetry, is the origin (core.frame says where the core's input went).
+RoundedPolyhedron make_rounded(const Polyhedron& core, double radius);
+// A polyhedron inscribed in the rounded body, for drawings only: the hull of balls of 42 points about the corners.
+Polyhedron drawing_of(const RoundedPolyhedron& body);
+
 }  // namespace shapes

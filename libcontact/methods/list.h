@@ -7,11 +7,12 @@
 #include "libcontact/methods/analytic.h"
 #include "libcontact/methods/features.h"
 #include "libcontact/methods/polyhedron_plane.h"
+#include "libcontact/methods/rounded.h"
 #include "libcontact/methods/sat.h"
 #include "libcontact/methods/support_newton.h"
 
 namespace contact {
 
-using Methods = std::tuple<Analytic, PolyhedronPlane, SupportNewton, Sat, Features>;
+using Methods = std::tuple<Analytic, PolyhedronPlane, SupportNewton, Sat, Features, Rounded>;
 
 }  // namespace contact

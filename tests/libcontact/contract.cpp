@@ -69,6 +69,10 @@ Body random_body(Kind kind, Draw& draw) {
       b.geometry = &solids()[draw.engine() % solids().size()];
       b.size = {draw.uniform(0.5, 1.5), 0, 0};
       break;
+    case Kind::rounded_polyhedron:
+      b.geometry = &solids()[draw.engine() % solids().size()];
+      b.size = {draw.uniform(0.4, 1.2), draw.uniform(0.05, 0.5), 0};
+      break;
     case Kind::plane:
       break;
     case Kind::mesh:
@@ -90,6 +94,8 @@ double circumradius(const Body& b) {
       return max_abs(b.size);
     case Kind::polyhedron:
       return b.size.x * static_cast<const shapes::Polyhedron*>(b.geometry)->circumradius;
+    case Kind::rounded_polyhedron:
+      return b.size.x * static_cast<const shapes::Polyhedron*>(b.geometry)->circumradius + b.size.y;
     case Kind::plane:
       return 0;
     default:
@@ -297,7 +303,9 @@ TEST_P(Contract, bad_numbers_are_refused) {
     for (const double bad : {nan, infinity, 0.0, -1.0}) {
       for (Body Case::*which : {&Case::a, &Case::b}) {
         if ((good.*which).kind == Kind::plane) continue;
-        const int sizes = (good.*which).kind == Kind::ellipsoid ? 3 : 1;
+        const int sizes = (good.*which).kind == Kind::ellipsoid            ? 3
+                          : (good.*which).kind == Kind::rounded_polyhedron ? 2
+                                                                           : 1;
         for (int i = 0; i < sizes; ++i) {
           Case c = good;
           (c.*which).size[i] = bad;

@@ -9,6 +9,7 @@ namespace {
 
 using shapes::Ellipsoid;
 using shapes::MassProperties;
+using shapes::RoundedPolyhedron;
 using shapes::Sphere;
 
 template <class S>
@@ -41,6 +42,16 @@ struct Samples<Polyhedron> {
   }
 };
 
+template <>
+struct Samples<RoundedPolyhedron> {
+  static std::vector<RoundedPolyhedron> make() {
+    std::vector<RoundedPolyhedron> list = {{shapes::make_box({1, 0.3, 2}), 0.1}, {shapes::make_prism(5, 1, 0.4), 0.7}};
+    for (const auto& p : Samples<Polyhedron>::make())
+      if (p.vertices.size() < 30) list.push_back({p, 0.3 * p.circumradius});
+    return list;
+  }
+};
+
 // Level function, <= 0 inside, and a random point of the surface.
 double level(const Sphere& s, const Vec3d& x) { return norm(x) / s.radius - 1; }
 double level(const Ellipsoid& e, const Vec3d& x) {
@@ -50,6 +61,30 @@ double level(const Polyhedron& p, const Vec3d& x) {
   double worst = dot(p.faces[0].normal, x) - p.faces[0].offset;
   for (const auto& f : p.faces) worst = std::fmax(worst, dot(f.normal, x) - f.offset);
   return worst / p.circumradius;
+}
+// Distance to the core by the nearest face, edge or corner.
+double distance_to(const Polyhedron& p, const Vec3d& x) {
+  double best = level(p, x) <= 0 ? 0 : 1e300;
+  for (const auto& e : p.edges) {
+    const Vec3d a = p.vertices[e.vertex[0]], d = p.vertices[e.vertex[1]] - a;
+    const double t = std::fmin(1, std::fmax(0, dot(x - a, d) / dot(d, d)));
+    best = std::fmin(best, norm(x - a - t * d));
+  }
+  for (const auto& f : p.faces) {
+    const double height = dot(f.normal, x) - f.offset;
+    if (height <= 0) continue;
+    bool over = true;
+    for (std::uint32_t i = 0; i < f.count; ++i) {
+      const Vec3d a = p.vertices[p.face_vertices[f.first + i]];
+      const Vec3d b = p.vertices[p.face_vertices[f.first + (i + 1) % f.count]];
+      over = over && dot(cross(b - a, x - a), f.normal) >= 0;
+    }
+    if (over) best = std::fmin(best, height);
+  }
+  return best;
+}
+double level(const RoundedPolyhedron& b, const Vec3d& x) {
+  return (distance_to(b.core, x) - b.radius) / shapes::circumradius(b);
 }
 Vec3d surface_point(const Sphere& s, Random& random) { return s.radius * random.direction(); }
 Vec3d surface_point(const Ellipsoid& e, Random& random) { return scaled(e.semi_axes, random.direction()); }
@@ -64,6 +99,8 @@ Vec3d surface_point(const Polyhedron& p, Random& random) {
   }
   return (1 / total) * sum;
 }
+
+Vec3d surface_point(const RoundedPolyhedron& b, Random& random) { return support(b, random.direction()); }
 
 template <class S>
 class Solid : public testing::Test {};
@@ -156,6 +193,37 @@ TYPED_TEST(Solid, volume_centre_and_inertia_agree_with_monte_carlo) {
     }
     EXPECT_TRUE(I[0].y == I[1].x && I[1].z == I[2].y && I[0].z == I[2].x);
   }
+}
+
+TEST(RoundedPolyhedron, volume_follows_steiner_and_a_tiny_core_is_a_ball) {
+  const double r = 0.2, pi = std::numbers::pi;
+  const MassProperties m = shapes::mass_properties(RoundedPolyhedron{shapes::make_box({1, 2, 3}), r});
+  EXPECT_NEAR(m.volume, 6 + 22 * r + pi * 6 * r * r + 4 * pi / 3 * r * r * r, 32 * eps * m.volume);
+  const MassProperties ball = shapes::mass_properties(RoundedPolyhedron{shapes::make_box({1e-9, 1e-9, 1e-9}), 1});
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(ball.inertia.row[i][i], 8 * pi / 15, 1e-8);
+  // Rounding moves the centre of mass of a pyramid; its principal frame brings it back to the origin.
+  const std::vector<Vec3d> pyramid{{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}, {0, 0, 2}};
+  const auto core = shapes::polyhedron_from_points(pyramid, shapes::Frame::principal);
+  EXPECT_GT(std::fabs(shapes::mass_properties(RoundedPolyhedron{core, 0.5}).centre.z) +
+                std::fabs(shapes::mass_properties(RoundedPolyhedron{core, 0.5}).centre.x),
+            0.01);
+  const RoundedPolyhedron body = shapes::make_rounded(core, 0.5);
+  EXPECT_LE(max_abs(shapes::mass_properties(body).centre), 64 * eps);
+  const Vec3d apex = rotate(body.core.frame.orientation, body.core.vertices[4]) + body.core.frame.position;
+  EXPECT_LE(norm(apex - pyramid[4]), 64 * eps);
+  EXPECT_TRUE(holds(refusal([&] { shapes::make_rounded(core, -1); }), "allowed"));
+  for (const Vec3d& v : shapes::drawing_of(body).vertices) EXPECT_LE(level(body, v), 64 * eps);
+}
+
+TEST(RoundedPolyhedron, a_thin_bar_is_a_capsule) {
+  const double length = 2, r = 0.5, pi = std::numbers::pi;
+  const MassProperties m = shapes::mass_properties(RoundedPolyhedron{shapes::make_box({1e-10, 1e-10, length}), r});
+  const double cylinder = pi * r * r * length, ball = 4 * pi / 3 * r * r * r;
+  EXPECT_NEAR(m.volume, cylinder + ball, 1e-8);
+  EXPECT_NEAR(m.inertia.row[2].z, 0.5 * cylinder * r * r + 0.4 * ball * r * r, 1e-8);
+  const double half = 0.5 * length + 0.375 * r;  // centre of mass of a half ball
+  EXPECT_NEAR(m.inertia.row[0].x,
+              cylinder * (length * length / 12 + r * r / 4) + ball * (83.0 / 320 * r * r + half * half), 1e-8);
 }
 
 TEST(EquivalentRadius, inverts_the_volume_and_follows_units) {
