@@ -60,6 +60,7 @@ class ForcePass {
       : world_(world), c_(world.contacts), p_(world.particles), set_(contact::kernels::kernels()), dt_(dt) {
     rescale_ = world.scene.law.rescale;
     hertz_ = world.scene.law.name == LawName::hertz_mindlin;
+    lattice_ = world.cell.periodic ? &world.cell.lattice : nullptr;
     for (const Wall& w : world.walls) {
       contact::Body b;
       b.kind = w.kind;
@@ -138,7 +139,10 @@ class ForcePass {
     std::size_t n = 0;
     LawChunk& l = s.law;
     const std::uint32_t *records = &bin.records[first], *a = &bin.a_index[first], *b = &bin.b_index[first];
-    set_.sphere_clearance(p_.motion.data(), a, b, count, s.clearance);
+    if (lattice_ != nullptr)
+      set_.periodic_clearance(p_.motion.data(), a, b, count, *lattice_, s.clearance);
+    else
+      set_.sphere_clearance(p_.motion.data(), a, b, count, s.clearance);
     for (std::size_t r = 0; r < count; ++r) {
       const bool touches = s.clearance[r] < 0;
       s.entry[n] = static_cast<std::uint32_t>(r);
@@ -162,7 +166,10 @@ class ForcePass {
     }
     pad(s.index_a, n);
     pad(s.index_b, n);
-    set_.gather_spheres(p_.motion.data(), s.index_a, s.index_b, n, s.spheres, l);
+    if (lattice_ != nullptr)
+      set_.periodic_gather(p_.motion.data(), s.index_a, s.index_b, n, *lattice_, s.spheres, l);
+    else
+      set_.gather_spheres(p_.motion.data(), s.index_a, s.index_b, n, s.spheres, l);
     load_histories(n, s);
     set_.spheres(s.spheres, l, n);
     run_law(l, n, false);
@@ -253,6 +260,7 @@ class ForcePass {
       } else {
         s.b[r] = body_of(ib);
         s.offset[r] = p_.motion[ib].position - x;
+        if (lattice_ != nullptr) s.offset[r] = lattice_->nearest(s.offset[r]);
       }
       s.cache[r] = c_.cache[k];
     }
@@ -309,6 +317,7 @@ class ForcePass {
       arm_b = arm_a - s.offset[r];
       spin_b = b.spin;
       velocity -= b.velocity + cross(b.spin, arm_b);
+      if (lattice_ != nullptr) velocity -= lattice_->flow(s.offset[r]);
       radius = radius * b.equivalent_radius / (radius + b.equivalent_radius);
       w += inverse_mass(ib, s.b[r], arm_b, q.normal);
     }
@@ -337,6 +346,7 @@ class ForcePass {
   const KernelSet& set_;
   double dt_;
   bool rescale_ = true, hertz_ = true;
+  const contact::Lattice* lattice_ = nullptr;  // null: bodies have no images
   std::vector<WallFrame> walls_;
 };
 

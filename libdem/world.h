@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "libcontact/contact.h"
+#include "libdem/accumulator.h"
+#include "libdem/cell.h"
 #include "libdem/contacts.h"
 #include "libdem/particles.h"
 #include "libdem/scene/scene.h"
@@ -42,18 +44,6 @@ struct Wall {
   Vec3d list_position{};  // at the last rebuild of the list
   Quatd list_orientation{};
   Vec3d force{}, torque{};  // of the particles on the wall, this step: N, N m about its origin
-};
-
-// A sum that carries its rounding error (Neumaier): totals over 10⁸ terms keep 15 digits.
-struct Accumulator {
-  double sum = 0, carry = 0;
-  void add(double v) {
-    const double t = sum + v;
-    const bool big = (sum < 0 ? -sum : sum) >= (v < 0 ? -v : v);
-    carry += big ? (sum - t) + v : (v - t) + sum;
-    sum = t;
-  }
-  double value() const { return sum + carry; }
 };
 
 struct Counters {
@@ -98,6 +88,7 @@ struct World {
   Particles particles;
   std::vector<Wall> walls;
   Contacts contacts;
+  Cell cell;
   TimeStep time_step;
   double skin = 0;                                                  // m
   double tightest_limit = std::numeric_limits<double>::infinity();  // s, seen by the monitor of the time step

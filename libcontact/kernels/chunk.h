@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "libcontact/kernels/lattice.h"
 #include "libcontact/kernels/records.h"
 
 namespace contact::kernels {
@@ -60,6 +61,11 @@ using SphereTorqueKernel = void (*)(const SphereChunk& in, LawChunk& chunk, std:
 using ClearanceKernel = void (*)(const Motion* motion, const Index* a, const Index* b, std::size_t count, Lane& out);
 using GatherKernel = void (*)(const Motion* motion, const Index* a, const Index* b, std::size_t count, SphereChunk& out,
                               LawChunk& chunk);
+// The same with the nearest image of b, and with the flow of the lattice in the velocity.
+using PeriodicClearanceKernel = void (*)(const Motion* motion, const Index* a, const Index* b, std::size_t count,
+                                         const Lattice& lattice, Lane& out);
+using PeriodicGatherKernel = void (*)(const Motion* motion, const Index* a, const Index* b, std::size_t count,
+                                      const Lattice& lattice, SphereChunk& out, LawChunk& chunk);
 using LoadHistoryKernel = void (*)(const History* history, const Index* record, std::size_t count, LawChunk& chunk);
 using StoreHistoryKernel = void (*)(const LawChunk& chunk, const Index* record, std::size_t count, History* history);
 using StoreSlotsKernel = void (*)(const LawChunk& chunk, const Index* record, std::size_t count, Slot* slot);
@@ -77,6 +83,8 @@ struct KernelSet {
   LawKernel hertz_mindlin_patch, spring_dashpot_patch;  // contacts over a patch
   ClearanceKernel sphere_clearance;
   GatherKernel gather_spheres;
+  PeriodicClearanceKernel periodic_clearance;
+  PeriodicGatherKernel periodic_gather;
   LoadHistoryKernel load_history;
   StoreHistoryKernel store_history;
   StoreSlotsKernel store_slots;  // force, couple, couple_b

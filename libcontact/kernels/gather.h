@@ -9,6 +9,10 @@ inline namespace KERNEL_SET {
 void sphere_clearance(const Motion* motion, const Index* a, const Index* b, std::size_t count, Lane& out);
 void gather_spheres(const Motion* motion, const Index* a, const Index* b, std::size_t count, SphereChunk& s,
                     LawChunk& c);
+void periodic_clearance(const Motion* motion, const Index* a, const Index* b, std::size_t count, const Lattice& lattice,
+                        Lane& out);
+void periodic_gather(const Motion* motion, const Index* a, const Index* b, std::size_t count, const Lattice& lattice,
+                     SphereChunk& s, LawChunk& c);
 void load_history(const History* history, const Index* record, std::size_t count, LawChunk& c);
 void store_history(const LawChunk& c, const Index* record, std::size_t count, History* history);
 void store_slots(const LawChunk& c, const Index* record, std::size_t count, Slot* slot);

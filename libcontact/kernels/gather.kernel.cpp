@@ -55,34 +55,75 @@ struct Rows {  // four rows, one per record; after `turn` four lanes
   lane_of(v.z, i) = z;
 }
 
-}  // namespace
+// Offsets of four pairs to the nearest image, as Lattice::nearest.
+[[gnu::always_inline]] inline void to_nearest(const Lattice& l, Row& x, Row& y, Row& z) {
+  const double big = Lattice::rounder;
+  const Row ny = (y * l.inverse.y + big) - big;
+  x = x - ny * l.tilt;
+  y = y - ny * l.length.y;
+  const Row nx = (x * l.inverse.x + big) - big, nz = (z * l.inverse.z + big) - big;
+  x = x - nx * l.length.x;
+  z = z - nz * l.length.z;
+}
 
-void sphere_clearance(const Motion* motion, const Index* a, const Index* b, std::size_t count, Lane& out) {
+template <bool periodic>
+[[gnu::always_inline]] inline void clearance(const Motion* motion, const Index* a, const Index* b, std::size_t count,
+                                             [[maybe_unused]] const Lattice* lattice, Lane& out) {
   for (std::size_t i = 0; i < count; i += 4) {
     const Rows pa = Rows::load(motion, sizeof(Motion), a + i, 0).turned();
     const Rows pb = Rows::load(motion, sizeof(Motion), b + i, 0).turned();
-    const Row x = pb.a - pa.a, y = pb.b - pa.b, z = pb.c - pa.c, reach = pa.d + pb.d;
+    Row x = pb.a - pa.a, y = pb.b - pa.b, z = pb.c - pa.c;
+    if constexpr (periodic) to_nearest(*lattice, x, y, z);
+    const Row reach = pa.d + pb.d;
     lane_of(out, i) = (x * x + y * y + z * z) - reach * reach;
   }
 }
 
-void gather_spheres(const Motion* motion, const Index* a, const Index* b, std::size_t count, SphereChunk& s,
-                    LawChunk& c) {
+template <bool periodic>
+[[gnu::always_inline]] inline void gather(const Motion* motion, const Index* a, const Index* b, std::size_t count,
+                                          [[maybe_unused]] const Lattice* lattice, SphereChunk& s, LawChunk& c) {
   for (std::size_t i = 0; i < count; i += 4) {
     const Rows pa = Rows::load(motion, sizeof(Motion), a + i, 0).turned();
     const Rows pb = Rows::load(motion, sizeof(Motion), b + i, 0).turned();
-    put(s.offset, i, pb.a - pa.a, pb.b - pa.b, pb.c - pa.c);
+    Row x = pb.a - pa.a, y = pb.b - pa.b, z = pb.c - pa.c;
+    if constexpr (periodic) to_nearest(*lattice, x, y, z);
+    put(s.offset, i, x, y, z);
     lane_of(s.radius_a, i) = pa.d;
     lane_of(s.radius_b, i) = pb.d;
     const Rows va = Rows::load(motion, sizeof(Motion), a + i, 1).turned();
     const Rows vb = Rows::load(motion, sizeof(Motion), b + i, 1).turned();
-    put(c.velocity, i, va.a - vb.a, va.b - vb.b, va.c - vb.c);
+    if constexpr (periodic) {  // as Lattice::flow
+      const Lattice& l = *lattice;
+      put(c.velocity, i, (va.a - vb.a) - (l.rate.x * x + l.shear * y), (va.b - vb.b) - l.rate.y * y,
+          (va.c - vb.c) - l.rate.z * z);
+    } else {
+      put(c.velocity, i, va.a - vb.a, va.b - vb.b, va.c - vb.c);
+    }
     lane_of(c.mass_eff, i) = Row{1, 1, 1, 1} / (va.d + vb.d);
     const Rows wa = Rows::load(motion, sizeof(Motion), a + i, 2).turned();
     const Rows wb = Rows::load(motion, sizeof(Motion), b + i, 2).turned();
     put(s.spin_a, i, wa.a, wa.b, wa.c);
     put(s.spin_b, i, wb.a, wb.b, wb.c);
   }
+}
+
+}  // namespace
+
+void sphere_clearance(const Motion* motion, const Index* a, const Index* b, std::size_t count, Lane& out) {
+  clearance<false>(motion, a, b, count, nullptr, out);
+}
+void periodic_clearance(const Motion* motion, const Index* a, const Index* b, std::size_t count, const Lattice& lattice,
+                        Lane& out) {
+  clearance<true>(motion, a, b, count, &lattice, out);
+}
+
+void gather_spheres(const Motion* motion, const Index* a, const Index* b, std::size_t count, SphereChunk& s,
+                    LawChunk& c) {
+  gather<false>(motion, a, b, count, nullptr, s, c);
+}
+void periodic_gather(const Motion* motion, const Index* a, const Index* b, std::size_t count, const Lattice& lattice,
+                     SphereChunk& s, LawChunk& c) {
+  gather<true>(motion, a, b, count, &lattice, s, c);
 }
 
 void load_history(const History* history, const Index* record, std::size_t count, LawChunk& c) {

@@ -147,6 +147,8 @@ const KernelSet& kernel_set() {
                                  law_kernel<SpringDashpot, true>,
                                  sphere_clearance,
                                  gather_spheres,
+                                 periodic_clearance,
+                                 periodic_gather,
                                  load_history,
                                  store_history,
                                  store_slots,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "libdem/broad_phase/cells.h"
 
@@ -62,7 +63,7 @@ void particle_pairs(const World& world, int threads, Rows& rows) {
   const Particles& p = world.particles;
   const std::size_t n = p.count();
   const Cells cells(
-      n, [&](std::size_t i) -> const Vec3d& { return p.motion[i].position; }, reach_of(world));
+      n, [&](std::size_t i) -> const Vec3d& { return p.motion[i].position; }, reach_of(world), world.cell);
   std::vector<shapes::Mat3d> frames;
   for (const Wall& w : world.walls) frames.push_back(shapes::rotation_matrix(w.orientation));
   const std::size_t block = 256, blocks = (n + block - 1) / block;
@@ -75,7 +76,7 @@ void particle_pairs(const World& world, int threads, Rows& rows) {
       const Motion& m = p.motion[i];
       cells.around(i, [&](std::uint32_t j) {
         if (p.id[j] <= p.id[i]) return;
-        const Vec3d d = p.motion[j].position - m.position;
+        const Vec3d d = world.cell.lattice.nearest(p.motion[j].position - m.position);
         const double reach = m.bounding_radius + p.motion[j].bounding_radius + world.skin;
         if (dot(d, d) < reach * reach) partners.push_back(j);
       });
@@ -138,7 +139,7 @@ void permute(std::vector<T>& v, const std::vector<std::uint32_t>& order) {
 void sort_in_space(World& world) {
   Particles& p = world.particles;
   const Cells cells(
-      p.count(), [&](std::size_t i) -> const Vec3d& { return p.motion[i].position; }, reach_of(world));
+      p.count(), [&](std::size_t i) -> const Vec3d& { return p.motion[i].position; }, reach_of(world), world.cell);
   const std::vector<std::uint32_t>& order = cells.order();
   permute(p.id, order);
   permute(p.shape, order);
@@ -187,6 +188,34 @@ void fill_bins(World& world) {
   c.centre.resize(all_spheres ? 0 : c.count());
 }
 
+bool moved(const World& world, double half) {
+  for (std::size_t i = 0; i < world.particles.count(); ++i) {
+    const Vec3d d = world.particles.motion[i].position - world.contacts.reference[i];
+    if (dot(d, d) >= half * half) return true;
+  }
+  return false;
+}
+
+// Bodies that follow the deformation F of the cell stay where they are in the list; u is by how much one has left that
+// motion. An offset d at the last rebuild is now F d + u_b − u_a, no shorter than s |d| − |u_a| − |u_b| with s the
+// least stretch of F. A pair that was left out, |d| ≥ sum of radii + skin, is still apart while
+//   2 |u| < s · skin − (1 − s) · sum of radii
+bool moved_in_cell(const World& world) {
+  const Cell& cell = world.cell;
+  const Contacts& c = world.contacts;
+  double half = 0.5 * world.skin;
+  if (cell.deforms) {
+    const double least = std::min({1.0, cell.stretch.x, cell.stretch.y, cell.stretch.z}) - std::abs(cell.slant);
+    half = 0.5 * (least * world.skin - (1 - least) * c.largest_sum);
+    if (!(half > 0)) return true;
+  }
+  for (std::size_t i = 0; i < world.particles.count(); ++i) {
+    const Vec3d d = cell.lattice.nearest(world.particles.motion[i].position - cell.carried(c.reference[i]));
+    if (dot(d, d) >= half * half) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool candidates_outdated(const World& world) {
@@ -194,10 +223,7 @@ bool candidates_outdated(const World& world) {
   if (c.stale || world.scene.run.rebuild_every == 1) return true;
   if (world.scene.run.rebuild_every > 0 && world.step % world.scene.run.rebuild_every == 0) return true;
   const double half = 0.5 * world.skin;
-  for (std::size_t i = 0; i < world.particles.count(); ++i) {
-    const Vec3d d = world.particles.motion[i].position - c.reference[i];
-    if (dot(d, d) >= half * half) return true;
-  }
+  if (world.cell.periodic ? moved_in_cell(world) : moved(world, half)) return true;
   for (const Wall& w : world.walls) {
     const Quatd turn = w.orientation * shapes::conjugate(w.list_orientation);
     const double half_angle_sine = shapes::norm(Vec3d{turn.x, turn.y, turn.z});
@@ -253,6 +279,9 @@ void rebuild_candidates(World& world, int threads) {
     wall.list_position = wall.position;
     wall.list_orientation = wall.orientation;
   }
+  c.largest_sum = reach_of(world) - world.skin;
+  world.cell.stretch = {1, 1, 1};
+  world.cell.slant = 0;
   c.stale = false;
   ++world.counters.rebuilds;
   world.counters.candidates = total;

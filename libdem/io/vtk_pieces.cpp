@@ -110,8 +110,9 @@ bool write_contacts(const std::string& path, const World& world) {
   std::vector<std::int32_t> connectivity, ends;
   std::vector<float> force, magnitude, tangential, normal, overlap, at;
   for (const ContactReport& c : touching_contacts(world)) {
-    points.push_back(position(c.a));
-    points.push_back(c.wall ? c.point : position(c.b));
+    const Vec3d from = position(c.a);
+    points.push_back(from);
+    points.push_back(c.wall ? c.point : from + world.cell.lattice.nearest(position(c.b) - from));
     connectivity.push_back(index32(points.size() - 2));
     connectivity.push_back(index32(points.size() - 1));
     ends.push_back(index32(points.size()));
