@@ -1,6 +1,8 @@
 // build_world: from a resolved scene to the world at t = 0.
 #include "libdem/build.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -121,6 +123,32 @@ void check_methods(const World& world) {
     }
 }
 
+void make_cell(World& world) {
+  const PeriodicSpec& s = world.scene.periodic;
+  for (int k = 0; k < 3; ++k) {
+    if (!s.along(k)) continue;
+    world.cell.periodic = true;
+    world.cell.lower[k] = s.lower[k];
+    world.cell.lattice.length[k] = s.upper[k] - s.lower[k];
+    world.cell.lattice.inverse[k] = 1 / world.cell.lattice.length[k];
+  }
+}
+
+// Only one image of a body may be within reach of another.
+void check_cell(const World& world) {
+  double largest = 0;
+  for (const Motion& m : world.particles.motion) largest = std::max(largest, m.bounding_radius);
+  const double needed = 2 * (2 * largest + world.skin);
+  for (int k = 0; k < 3; ++k) {
+    const double length = world.cell.lattice.length[k];
+    if (length > 0 && length < needed)
+      input_error(world.scene.periodic.where,
+                  fmt::format("periodic: the box is {} m long in {}, too short for one image of each body at a time; "
+                              "allowed: from {} m, 2 · (2 · {} m, the largest bounding radius, + {} m, run.skin)",
+                              length, "xyz"[k], needed, largest, world.skin));
+  }
+}
+
 double automatic_skin(const World& world) {
   double smallest = 0;
   for (const Motion& m : world.particles.motion)
@@ -152,6 +180,9 @@ World build_world(const Scene& scene) {
     add_fill(world, f, stream++);
     mark(f.where);
   }
+  make_cell(world);
+  if (world.cell.periodic)
+    for (Motion& m : world.particles.motion) world.cell.wrap(m.position);
   for (const OutletSpec& o : scene.outlets) world.outlets.push_back({o.name, 0, 0});
   for (std::size_t i = 0; i < world.particles.count(); ++i) {
     if (turns_uniformly(world.particles.kind[i])) continue;
@@ -160,6 +191,7 @@ World build_world(const Scene& scene) {
   }
   check_methods(world);
   world.skin = scene.run.skin >= 0 ? scene.run.skin : automatic_skin(world);
+  check_cell(world);
   world.time_step = choose_time_step(world);
   move_walls(world);
   rebuild_candidates(world, 1);

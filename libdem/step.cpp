@@ -52,11 +52,13 @@ struct BodyAt {
 void kick_and_drift(World& world, int threads, double dt) {
   Particles& p = world.particles;
   const Vec3d gravity = world.scene.gravity;
+  const bool periodic = world.cell.periodic;
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::size_t i = 0; i < p.count(); ++i) {
     BodyAt body(p, i);
     body.kick(gravity, 0.5 * dt);
     body.m.position += body.m.velocity * dt;
+    if (periodic) world.cell.wrap(body.m.position);
     body.turn(dt);
   }
 }

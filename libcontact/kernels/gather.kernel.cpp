@@ -58,11 +58,9 @@ struct Rows {  // four rows, one per record; after `turn` four lanes
 // Offsets of four pairs to the nearest image, as Lattice::nearest.
 [[gnu::always_inline]] inline void to_nearest(const Lattice& l, Row& x, Row& y, Row& z) {
   const double big = Lattice::rounder;
-  const Row ny = (y * l.inverse.y + big) - big;
-  x = x - ny * l.tilt;
-  y = y - ny * l.length.y;
-  const Row nx = (x * l.inverse.x + big) - big, nz = (z * l.inverse.z + big) - big;
+  const Row nx = (x * l.inverse.x + big) - big, ny = (y * l.inverse.y + big) - big, nz = (z * l.inverse.z + big) - big;
   x = x - nx * l.length.x;
+  y = y - ny * l.length.y;
   z = z - nz * l.length.z;
 }
 
@@ -92,13 +90,7 @@ template <bool periodic>
     lane_of(s.radius_b, i) = pb.d;
     const Rows va = Rows::load(motion, sizeof(Motion), a + i, 1).turned();
     const Rows vb = Rows::load(motion, sizeof(Motion), b + i, 1).turned();
-    if constexpr (periodic) {  // as Lattice::flow
-      const Lattice& l = *lattice;
-      put(c.velocity, i, (va.a - vb.a) - (l.rate.x * x + l.shear * y), (va.b - vb.b) - l.rate.y * y,
-          (va.c - vb.c) - l.rate.z * z);
-    } else {
-      put(c.velocity, i, va.a - vb.a, va.b - vb.b, va.c - vb.c);
-    }
+    put(c.velocity, i, va.a - vb.a, va.b - vb.b, va.c - vb.c);
     lane_of(c.mass_eff, i) = Row{1, 1, 1, 1} / (va.d + vb.d);
     const Rows wa = Rows::load(motion, sizeof(Motion), a + i, 2).turned();
     const Rows wb = Rows::load(motion, sizeof(Motion), b + i, 2).turned();

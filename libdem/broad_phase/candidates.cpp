@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "libdem/broad_phase/cells.h"
 
@@ -196,21 +195,10 @@ bool moved(const World& world, double half) {
   return false;
 }
 
-// Bodies that follow the deformation F of the cell stay where they are in the list; u is by how much one has left that
-// motion. An offset d at the last rebuild is now F d + u_b − u_a, no shorter than s |d| − |u_a| − |u_b| with s the
-// least stretch of F. A pair that was left out, |d| ≥ sum of radii + skin, is still apart while
-//   2 |u| < s · skin − (1 − s) · sum of radii
-bool moved_in_cell(const World& world) {
-  const Cell& cell = world.cell;
-  const Contacts& c = world.contacts;
-  double half = 0.5 * world.skin;
-  if (cell.deforms) {
-    const double least = std::min({1.0, cell.stretch.x, cell.stretch.y, cell.stretch.z}) - std::abs(cell.slant);
-    half = 0.5 * (least * world.skin - (1 - least) * c.largest_sum);
-    if (!(half > 0)) return true;
-  }
+// A wrapped body has not moved by the length of the box.
+bool moved_in_cell(const World& world, double half) {
   for (std::size_t i = 0; i < world.particles.count(); ++i) {
-    const Vec3d d = cell.lattice.nearest(world.particles.motion[i].position - cell.carried(c.reference[i]));
+    const Vec3d d = world.cell.lattice.nearest(world.particles.motion[i].position - world.contacts.reference[i]);
     if (dot(d, d) >= half * half) return true;
   }
   return false;
@@ -223,7 +211,7 @@ bool candidates_outdated(const World& world) {
   if (c.stale || world.scene.run.rebuild_every == 1) return true;
   if (world.scene.run.rebuild_every > 0 && world.step % world.scene.run.rebuild_every == 0) return true;
   const double half = 0.5 * world.skin;
-  if (world.cell.periodic ? moved_in_cell(world) : moved(world, half)) return true;
+  if (world.cell.periodic ? moved_in_cell(world, half) : moved(world, half)) return true;
   for (const Wall& w : world.walls) {
     const Quatd turn = w.orientation * shapes::conjugate(w.list_orientation);
     const double half_angle_sine = shapes::norm(Vec3d{turn.x, turn.y, turn.z});
@@ -279,9 +267,6 @@ void rebuild_candidates(World& world, int threads) {
     wall.list_position = wall.position;
     wall.list_orientation = wall.orientation;
   }
-  c.largest_sum = reach_of(world) - world.skin;
-  world.cell.stretch = {1, 1, 1};
-  world.cell.slant = 0;
   c.stale = false;
   ++world.counters.rebuilds;
   world.counters.candidates = total;

@@ -1,6 +1,6 @@
 // A grid of cells over points: which points lie near a point. Cell side = reach, so the 27 cells around hold every
 // neighbour within reach; the number of cells is bounded by enlarging the side when bodies are spread out. Along a
-// periodic axis the cells divide the box, sheared as it is, and the first one follows the last.
+// periodic axis the cells divide the box, and the first one follows the last.
 #pragma once
 
 #include <algorithm>
@@ -26,12 +26,10 @@ class Cells {
     low_ = low;
     shapes::Vec3d span = high - low;
     for (int k = 0; k < 3; ++k) wraps_[k] = box.lattice.length[k] > 0;
-    if (wraps_[0] && wraps_[1]) slope_ = box.lattice.tilt / box.lattice.length.y;
     for (int k = 0; k < 3; ++k) {
       if (wraps_[k]) span[k] = box.lattice.length[k];
-      const double height = k == 0 ? span[k] / std::sqrt(1 + slope_ * slope_) : span[k];  // between faces
       // A long, thin scene may use more cells along one axis, but never more than 64 per body on the whole.
-      const double n = reach > 0 ? std::clamp(std::floor(height / reach), 1.0, 16 * limit) : 1;  // no bodies: no reach
+      const double n = reach > 0 ? std::clamp(std::floor(span[k] / reach), 1.0, 16 * limit) : 1;  // no bodies: no reach
       number_[k] = static_cast<std::int64_t>(n);
     }
     while (number_[0] * number_[1] * number_[2] > 64 * static_cast<std::int64_t>(count) + 64) {
@@ -101,8 +99,7 @@ class Cells {
     for (int k = 0; k < 3; ++k) {
       double s = x[k] - low_[k];
       if (wraps_[k]) {
-        const double r = x[k] - box_.centre[k] - (k == 0 ? slope_ * (x.y - box_.centre.y) : 0);
-        const double share = r * box_.lattice.inverse[k] + 0.5;
+        const double share = (x[k] - box_.lower[k]) * box_.lattice.inverse[k];
         s = (share - std::floor(share)) * box_.lattice.length[k];
       }
       c[k] = std::clamp<std::int64_t>(static_cast<std::int64_t>(s * per_length_[k]), 0, number_[k] - 1);
@@ -110,7 +107,6 @@ class Cells {
   }
   Cell box_;
   bool wraps_[3] = {};
-  double slope_ = 0;  // of the side faces: x per y
   shapes::Vec3d low_{};
   std::int64_t number_[3] = {1, 1, 1};
   double per_length_[3] = {};

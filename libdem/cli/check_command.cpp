@@ -87,8 +87,14 @@ void print_model(const World& world) {
                       ? "off: world.gravity is zero"
                       : fmt::format("{:.6g} {:.6g} {:.6g} m/s^2", s.gravity.x, s.gravity.y, s.gravity.z));
   line("outlets", s.outlets.empty() ? "off: no [[outlet]]" : fmt::format("{}", s.outlets.size()));
+  std::string box;
+  for (int k = 0; k < 3; ++k)
+    if (s.periodic.along(k))
+      box += fmt::format("{} {} from {:.6g} to {:.6g} m", box.empty() ? "on:" : ",", "xyz"[k], s.periodic.lower[k],
+                         s.periodic.upper[k]);
+  line("periodic", box.empty() ? "off: periodic.axes is none" : box);
   line("detection", s.method);
-  for (const char* absent : {"rolling", "cohesion", "periodic", "2-D"}) line(absent, "off: not in this version");
+  for (const char* absent : {"rolling", "cohesion", "2-D"}) line(absent, "off: not in this version");
   line("frames", s.output.interval > 0 ? fmt::format("every {:.4g} s", s.output.interval)
                                        : "first and last: output.interval is 0");
   line("picture", !s.output.picture      ? "off: output.picture is false"

@@ -25,6 +25,7 @@ class Rules {
     for (std::size_t i = 0; i < scene_.walls.size(); ++i) wall(i);
     for (std::size_t i = 0; i < scene_.fills.size(); ++i) fill(i);
     for (std::size_t i = 0; i < scene_.outlets.size(); ++i) nonzero("outlet", i, "normal", scene_.outlets[i].normal);
+    periodic();
     pairs();
     particles();
     for (std::size_t i = 0; i < scene_.materials.size(); ++i) material(i);
@@ -102,6 +103,40 @@ class Rules {
     const FillSpec& f = scene_.fills[i];
     for (int k = 0; k < 3; ++k)
       if (!(f.lower[k] < f.upper[k])) return wrong("fill", i, "upper", "allowed fill.upper > fill.lower in x, y and z");
+  }
+
+  // A box of some length; walls, outlets and fills that are the same for every image.
+  void periodic() {
+    const PeriodicSpec& box = scene_.periodic;
+    const auto crosses = [&](const Vec3d& normal) {
+      for (int k = 0; k < 3; ++k)
+        if (box.along(k) && normal[k] != 0) return true;
+      return false;
+    };
+    for (int k = 0; k < 3; ++k)
+      if (box.along(k) && !(box.lower[k] < box.upper[k]))
+        return wrong("periodic", 0, "upper", fmt::format("allowed periodic.upper > periodic.lower in {}", "xyz"[k]));
+    if (box.axes == "none") return;
+    const std::string zero = fmt::format("allowed: 0 along periodic.axes = \"{}\"", box.axes);
+    for (std::size_t i = 0; i < scene_.walls.size(); ++i) {
+      const WallSpec& w = scene_.walls[i];
+      if (w.kind != "plane")
+        wrong("wall", i, "kind", "with periodic.axes only planes are allowed: a mesh has no images");
+      if (w.kind == "plane" && crosses(w.normal)) wrong("wall", i, "normal", zero);
+      if (w.motion == WallMotion::rotation)
+        wrong("wall", i, "motion", "allowed with periodic.axes: fixed, translation, oscillation");
+    }
+    for (std::size_t i = 0; i < scene_.outlets.size(); ++i)
+      if (crosses(scene_.outlets[i].normal)) wrong("outlet", i, "normal", zero);
+    for (std::size_t i = 0; i < scene_.fills.size(); ++i)
+      for (int k = 0; k < 3; ++k) {
+        if (!box.along(k)) continue;
+        const FillSpec& f = scene_.fills[i];
+        for (const bool low : {true, false})
+          if (low ? f.lower[k] < box.lower[k] : f.upper[k] > box.upper[k])
+            wrong("fill", i, low ? "lower" : "upper",
+                  fmt::format("allowed within the periodic box, {} = {} to {}", "xyz"[k], box.lower[k], box.upper[k]));
+      }
   }
 
   void pairs() {

@@ -153,12 +153,20 @@ struct OutletSpec {  // bodies whose centre is behind the plane (normal·(x − 
   Where where;
 };
 
+struct PeriodicSpec {         // a box whose opposite faces are one face
+  std::string axes = "none";  // the letters of those axes
+  Vec3d lower{}, upper{};     // its corners; only their components along `axes` count
+  Where where;
+  bool along(int axis) const { return axes != "none" && axes.find("xyz"[axis]) != std::string::npos; }
+};
+
 struct Scene {
   std::string path;  // file it came from
   std::string title;
   RunSpec run;
   OutputSpec output;
   Vec3d gravity{};  // m/s²
+  PeriodicSpec periodic;
   std::string method = "auto";
   LawSpec law;
   std::vector<MaterialSpec> materials;

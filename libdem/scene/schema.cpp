@@ -276,6 +276,20 @@ std::vector<Key> fill_keys() {
   };
 }
 
+std::vector<Key> periodic_keys() {
+  const std::vector<std::string> some{"x", "y", "z", "xy", "xz", "yz", "xyz"};
+  std::vector<std::string> all{"none"};
+  all.insert(all.end(), some.begin(), some.end());
+  return {
+      value<&PeriodicSpec::axes>("axes", "", "The axes along which what leaves the box enters it at the other side.")
+          .one_of(all),
+      value<&PeriodicSpec::lower>("lower", "m", "Lower corner of the box; its components along the axes count.")
+          .when("axes", some)
+          .must(),
+      value<&PeriodicSpec::upper>("upper", "m", "Upper corner.").when("axes", some).must(),
+  };
+}
+
 std::vector<Key> body_keys() {
   return {
       value<&BodySpec::shape>("shape", "", "Its shape.").refers("shape").must(),
@@ -300,6 +314,7 @@ const Section& schema() {
           "world", "What surrounds the bodies.",
           {value<&Scene::gravity>("gravity", "m/s^2", "Acceleration of gravity; [0, 0, 0] for none.").must()})
           .must(),
+      table<&Scene::periodic>("periodic", "Periodic boundaries.", periodic_keys()),
       heading<Scene>(
           "contact", "How contacts are detected.",
           {value<&Scene::method>("method", "",
