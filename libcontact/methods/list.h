@@ -6,6 +6,7 @@
 
 #include "libcontact/methods/analytic.h"
 #include "libcontact/methods/features.h"
+#include "libcontact/methods/planar.h"
 #include "libcontact/methods/polyhedron_plane.h"
 #include "libcontact/methods/rounded.h"
 #include "libcontact/methods/sat.h"
@@ -13,6 +14,6 @@
 
 namespace contact {
 
-using Methods = std::tuple<Analytic, PolyhedronPlane, SupportNewton, Sat, Features, Rounded>;
+using Methods = std::tuple<Analytic, PolyhedronPlane, SupportNewton, Sat, Features, Rounded, Planar>;
 
 }  // namespace contact

@@ -10,6 +10,8 @@
 
 #include "libdem/scene/nearest.h"
 #include "libdem/scene/scene.h"
+#include "shapes/math/trig.h"
+#include "shapes/polygon_build.h"
 #include "shapes/polyhedron_build.h"
 
 namespace dem::cli {
@@ -55,6 +57,16 @@ struct Place {
     for (int i = 0; i < 3; ++i) v[i] = Place{json[static_cast<std::size_t>(i)], words}.number();
     return v;
   }
+  // Two numbers; z is 0.
+  Vec3d plane_vector() const {
+    if (!json.is_array() || json.size() != 2) refuse("", "needs 2 numbers");
+    return {Place{json[0], words}.number(), Place{json[1], words}.number(), 0};
+  }
+  int sides() const {
+    const double n = positive("sides");
+    if (n != std::floor(n) || n < 3 || n > 1000) refuse("sides", "allowed 3 <= sides <= 1000");
+    return static_cast<int>(n);
+  }
   Vec3d positive_vector(const std::string& key) const {
     const Vec3d v = inner(key).vector();
     if (!(v.x > 0 && v.y > 0 && v.z > 0)) refuse(key, "allowed > 0");
@@ -64,7 +76,7 @@ struct Place {
 
 struct Body {  // a placed body with what it points to
   contact::Body body;
-  std::shared_ptr<const shapes::Polyhedron> geometry;
+  std::shared_ptr<const void> geometry;
   Vec3d position{};
   double circumradius = 0;
 };
@@ -72,14 +84,56 @@ struct Body {  // a placed body with what it points to
 shapes::Polyhedron make_polyhedron(const Place& shape, const std::string& type) {
   if (type == "box") return shapes::make_box(shape.positive_vector("size"));
   if (type == "prism") {
-    const double sides = shape.positive("sides");
-    if (sides != std::floor(sides) || sides < 3 || sides > 1000) shape.refuse("sides", "allowed 3 <= sides <= 1000");
-    return shapes::make_prism(static_cast<int>(sides), shape.positive("circumradius"), shape.positive("height"));
+    const int sides = shape.sides();
+    return shapes::make_prism(sides, shape.positive("circumradius"), shape.positive("height"));
   }
   const Place vertices = shape.inner("vertices");
   std::vector<Vec3d> points;
   for (const Json& v : vertices.json) points.push_back(Place{v, vertices.words}.vector());
   return shapes::polyhedron_from_points(points, shapes::Frame::as_given);
+}
+
+shapes::Polygon make_polygon(const Place& shape, const std::string& type) {
+  if (type == "regular_polygon") {
+    const int sides = shape.sides();
+    return shapes::make_regular_polygon(sides, shape.positive("circumradius"));
+  }
+  const Place vertices = shape.inner("vertices");
+  std::vector<Vec3d> points;
+  for (const Json& v : vertices.json) points.push_back(Place{v, vertices.words}.plane_vector());
+  return type == "polygon" ? shapes::polygon_hull(points) : shapes::polygon_from_outline(points);
+}
+
+Body make_plane_body(const Place& shape, const Place& pose) {
+  Body out;
+  out.position = pose.inner("position").plane_vector();
+  const double angle = pose.inner("angle").number();
+  if (std::abs(angle) > 1e6) pose.refuse("angle", "allowed |angle| <= 1e6 rad");
+  const shapes::SineCosine t = shapes::sine_cosine(angle);
+  out.body.rotation = {{{t.cosine, -t.sine, 0}, {t.sine, t.cosine, 0}, {0, 0, 1}}};
+  const std::string type = shape.text("type");
+  if (type == "disc") {
+    out.circumradius = shape.positive("radius");
+    out.body.kind = shapes::Kind::disc;
+    out.body.size = {out.circumradius, 0, 0};
+  } else if (type == "ellipse") {
+    out.body.kind = shapes::Kind::ellipse;
+    out.body.size = shape.inner("semi_axes").plane_vector();
+    if (!(out.body.size.x > 0 && out.body.size.y > 0)) shape.refuse("semi_axes", "allowed > 0");
+    out.circumradius = shapes::max_abs(out.body.size);
+  } else {
+    try {
+      auto polygon = std::make_shared<const shapes::Polygon>(make_polygon(shape, type));
+      out.circumradius = polygon->circumradius;
+      out.body.geometry = polygon.get();
+      out.geometry = std::move(polygon);
+    } catch (const shapes::Error& error) {
+      shape.refuse("", error.what());
+    }
+    out.body.kind = shapes::Kind::polygon;
+    out.body.size = {1, 1, 1};
+  }
+  return out;
 }
 
 Body make_body(const Place& shape, const Place& pose) {
@@ -104,28 +158,33 @@ Body make_body(const Place& shape, const Place& pose) {
     out.body.size = shape.positive_vector("semi_axes");
     out.circumradius = shapes::max_abs(out.body.size);
   } else {
+    std::shared_ptr<const shapes::Polyhedron> solid;
     try {
-      out.geometry = std::make_shared<const shapes::Polyhedron>(make_polyhedron(shape, type));
+      solid = std::make_shared<const shapes::Polyhedron>(make_polyhedron(shape, type));
     } catch (const shapes::Error& error) {
       shape.refuse("", error.what());
     }
     out.body.kind = shapes::Kind::polyhedron;
-    out.body.geometry = out.geometry.get();
+    out.body.geometry = solid.get();
+    out.geometry = solid;
     out.body.size = {1, 1, 1};
-    out.circumradius = out.geometry->circumradius;
+    out.circumradius = solid->circumradius;
     // A builder may turn and shift a body into its principal frame: the pose follows.
-    out.position += shapes::rotate(orientation, out.geometry->frame.position);
-    orientation = orientation * out.geometry->frame.orientation;
+    out.position += shapes::rotate(orientation, solid->frame.position);
+    orientation = orientation * solid->frame.orientation;
   }
   out.body.rotation = shapes::rotation_matrix(orientation);
   return out;
 }
 
-Expected read_expected(const Place& e) {
+Expected read_expected(const Place& e, int dim) {
   Expected out{e.text("state"), e.inner("signed_gap").number(), e.inner("abs_tol").number(), {}, 0};
   const auto normals = e.json.find("normals");
   if (normals == e.json.end() || normals->is_null()) return out;
-  for (const Json& n : *normals) out.normals.push_back(Place{n, e.words + ".normals"}.vector());
+  for (const Json& n : *normals) {
+    const Place normal{n, e.words + ".normals"};
+    out.normals.push_back(dim == 2 ? normal.plane_vector() : normal.vector());
+  }
   out.normal_tol = e.inner("normal_tol").number();
   return out;
 }
@@ -142,13 +201,12 @@ Case read_case(const Json& json, const std::string& path, std::size_t index) {
     std::vector<std::string> all = bodies_3d;
     all.insert(all.end(), bodies_2d.begin(), bodies_2d.end());
     if (!is(all)) shape->refuse("type", fmt::format("\"{}\" is not a kind of body{}", type, suggestion(type, all)));
-    if (is(bodies_2d)) {
-      out.dim = 2;
-      out.supported = false;
-    }
+    const int dim = is(bodies_2d) ? 2 : 3;
+    if (shape == &shape_b && dim != out.dim) shape->refuse("type", "a body of the plane against one of space");
+    out.dim = dim;
   }
-  if (!out.supported) return out;
-  Body a = make_body(shape_a, place.inner("pose_a")), b = make_body(shape_b, place.inner("pose_b"));
+  const auto make = out.dim == 2 ? make_plane_body : make_body;
+  Body a = make(shape_a, place.inner("pose_a")), b = make(shape_b, place.inner("pose_b"));
   out.a = a.body;
   out.b = b.body;
   out.geometry_a = a.geometry;
@@ -156,7 +214,7 @@ Case read_case(const Json& json, const std::string& path, std::size_t index) {
   out.origin = a.position;
   out.offset = b.position - a.position;
   out.size = std::hypot(out.offset.x, out.offset.y, out.offset.z) + a.circumradius + b.circumradius;
-  if (json.contains("expect")) out.expected = read_expected(place.inner("expect"));
+  if (json.contains("expect")) out.expected = read_expected(place.inner("expect"), out.dim);
   return out;
 }
 

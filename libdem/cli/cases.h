@@ -20,12 +20,11 @@ struct Expected {
 struct Case {
   std::string id;
   int dim = 3;
-  bool supported = true;  // false: a kind that this version refuses
   contact::Body a, b;
-  std::shared_ptr<const shapes::Polyhedron> geometry_a, geometry_b;  // what the bodies point to
-  shapes::Vec3d origin{};                                            // of A, world
-  shapes::Vec3d offset{};                                            // origin of B − origin of A
-  double size = 0;                                                   // |offset| + both circumradii, m
+  std::shared_ptr<const void> geometry_a, geometry_b;  // what the bodies point to
+  shapes::Vec3d origin{};                              // of A, world
+  shapes::Vec3d offset{};                              // origin of B − origin of A
+  double size = 0;                                     // |offset| + both circumradii, m
   std::optional<Expected> expected;
 };
 

@@ -10,7 +10,9 @@
 
 #include "libcontact/dispatch.h"
 #include "shapes/math/quat.h"
+#include "shapes/math/trig.h"
 #include "shapes/mesh_build.h"
+#include "shapes/polygon_build.h"
 #include "shapes/polyhedron_build.h"
 
 namespace {
@@ -44,6 +46,14 @@ const std::vector<shapes::Polyhedron>& solids() {
   return list;
 }
 
+const std::vector<shapes::Polygon>& polygons() {
+  static const std::vector<shapes::Polygon> list{
+      shapes::make_regular_polygon(3, 1), shapes::make_regular_polygon(4, 1), shapes::make_regular_polygon(7, 1),
+      shapes::polygon_hull(std::vector<Vec3d>{{-1, -0.125, 0}, {1, -0.125, 0}, {1, 0.125, 0}, {-1, 0.125, 0}}),
+      shapes::polygon_hull(std::vector<Vec3d>{{-0.5, -0.5, 0}, {1, -0.25, 0}, {0.25, 0.75, 0}, {-0.75, 0.5, 0}})};
+  return list;
+}
+
 // A tent of two slopes and a level part, so that facets, inner edges and open edges all occur.
 const shapes::Mesh& wall() {
   static const shapes::Mesh mesh = [] {
@@ -54,10 +64,21 @@ const shapes::Mesh& wall() {
   return mesh;
 }
 
+bool is_flat(Kind k) { return shapes::dimension_of(k) == 2; }
+Vec3d random_vector(Kind k, Draw& draw) {
+  const Vec3d v = draw.vector();
+  return is_flat(k) ? Vec3d{v.x, v.y, 0} : v;
+}
+Mat3d random_rotation(Kind k, Draw& draw) {
+  if (!is_flat(k)) return draw.rotation();
+  const shapes::SineCosine t = shapes::sine_cosine(draw.uniform(-3, 3));
+  return {{{t.cosine, -t.sine, 0}, {t.sine, t.cosine, 0}, {0, 0, 1}}};
+}
+
 Body random_body(Kind kind, Draw& draw) {
   Body b;
   b.kind = kind;
-  b.rotation = draw.rotation();
+  b.rotation = random_rotation(kind, draw);
   switch (kind) {
     case Kind::sphere:
       b.size = {draw.uniform(0.3, 1.5), 0, 0};
@@ -73,7 +94,18 @@ Body random_body(Kind kind, Draw& draw) {
       b.geometry = &solids()[draw.engine() % solids().size()];
       b.size = {draw.uniform(0.4, 1.2), draw.uniform(0.05, 0.5), 0};
       break;
+    case Kind::disc:
+      b.size = {draw.uniform(0.3, 1.5), 0, 0};
+      break;
+    case Kind::ellipse:
+      b.size = {draw.uniform(0.2, 1.5), draw.uniform(0.2, 1.5), 0};
+      break;
+    case Kind::polygon:
+      b.geometry = &polygons()[draw.engine() % polygons().size()];
+      b.size = {draw.uniform(0.5, 1.5), 0, 0};
+      break;
     case Kind::plane:
+    case Kind::line:
       break;
     case Kind::mesh:
       b.geometry = &wall();
@@ -89,14 +121,19 @@ Body random_body(Kind kind, Draw& draw) {
 double circumradius(const Body& b) {
   switch (b.kind) {
     case Kind::sphere:
+    case Kind::disc:
       return b.size.x;
     case Kind::ellipsoid:
+    case Kind::ellipse:
       return max_abs(b.size);
+    case Kind::polygon:
+      return b.size.x * static_cast<const shapes::Polygon*>(b.geometry)->circumradius;
     case Kind::polyhedron:
       return b.size.x * static_cast<const shapes::Polyhedron*>(b.geometry)->circumradius;
     case Kind::rounded_polyhedron:
       return b.size.x * static_cast<const shapes::Polyhedron*>(b.geometry)->circumradius + b.size.y;
     case Kind::plane:
+    case Kind::line:
       return 0;
     default:
       break;
@@ -114,10 +151,11 @@ struct Case {
 
 Case random_case(const MethodInfo& m, Draw& draw) {
   Case c{random_body(m.a, draw), random_body(m.b, draw), {}};
-  if (m.b == Kind::plane)
-    c.offset = draw.vector() - draw.uniform(-0.2, 1.2) * circumradius(c.a) * c.b.rotation.column(2);
+  if (m.b == Kind::plane || m.b == Kind::line)
+    c.offset = random_vector(m.b, draw) -
+               draw.uniform(-0.2, 1.2) * circumradius(c.a) * c.b.rotation.column(m.b == Kind::line ? 1 : 2);
   else
-    c.offset = draw.uniform(0.1, 1.1) * (circumradius(c.a) + circumradius(c.b)) * normalized(draw.vector());
+    c.offset = draw.uniform(0.1, 1.1) * (circumradius(c.a) + circumradius(c.b)) * normalized(random_vector(m.b, draw));
   return c;
 }
 
@@ -130,7 +168,7 @@ Contact run(const MethodInfo& m, const Case& c, const Options& options = {}, Cac
 // The case with A and B exchanged, asked through the door that takes any order.
 Contact run_swapped(const MethodInfo& m, const Case& c) { return query(c.b, c.a, -c.offset, {}, m.name); }
 
-bool sized_by_scale(Kind k) { return k == Kind::polyhedron || k == Kind::mesh; }
+bool sized_by_scale(Kind k) { return k == Kind::polyhedron || k == Kind::polygon || k == Kind::mesh; }
 
 Case scaled_case(Case c, double s) {
   for (Body* b : {&c.a, &c.b}) b->size = sized_by_scale(b->kind) ? Vec3d{b->size.x * s, 0, 0} : b->size * s;
@@ -204,7 +242,7 @@ TEST_P(Contract, swapping_the_bodies_flips_the_normal) {
 
 TEST_P(Contract, a_rigid_motion_keeps_the_gap) {
   each_case(cases, [&](const Case& c, Draw& draw) {
-    const Mat3d turn = draw.rotation();
+    const Mat3d turn = random_rotation(c.a.kind, draw);
     Case moved = c;
     moved.a.rotation = turn * c.a.rotation;
     moved.b.rotation = turn * c.b.rotation;
@@ -271,7 +309,7 @@ TEST_P(Contract, a_cache_is_only_a_proof) {
     Options quick;
     quick.overlap_only = true;
     const Contact full = run(GetParam(), c);
-    Cache none, kept, wrong{normalized(draw.vector())};
+    Cache none, kept, wrong{normalized(random_vector(c.a.kind, draw))};
     const Contact first = run(GetParam(), c, quick, &none);
     run(GetParam(), c, {}, &kept);
     const Contact again = run(GetParam(), c, quick, &kept), misled = run(GetParam(), c, quick, &wrong);
@@ -302,10 +340,11 @@ TEST_P(Contract, bad_numbers_are_refused) {
     }
     for (const double bad : {nan, infinity, 0.0, -1.0}) {
       for (Body Case::*which : {&Case::a, &Case::b}) {
-        if ((good.*which).kind == Kind::plane) continue;
-        const int sizes = (good.*which).kind == Kind::ellipsoid            ? 3
-                          : (good.*which).kind == Kind::rounded_polyhedron ? 2
-                                                                           : 1;
+        const Kind kind = (good.*which).kind;
+        if (kind == Kind::plane || kind == Kind::line) continue;
+        const int sizes = kind == Kind::ellipsoid                                     ? 3
+                          : kind == Kind::ellipse || kind == Kind::rounded_polyhedron ? 2
+                                                                                      : 1;
         for (int i = 0; i < sizes; ++i) {
           Case c = good;
           (c.*which).size[i] = bad;
@@ -315,9 +354,10 @@ TEST_P(Contract, bad_numbers_are_refused) {
     }
     for (const double bad : {nan, infinity}) {
       for (Body Case::*which : {&Case::a, &Case::b}) {
-        if ((good.*which).kind == Kind::sphere) continue;
+        const Kind kind = (good.*which).kind;
+        if (kind == Kind::sphere || kind == Kind::disc) continue;
         Case c = good;
-        (c.*which).rotation.row[1].z = bad;
+        (c.*which).rotation.row[1][!is_flat(kind) ? 2 : kind == Kind::line ? 1 : 0] = bad;
         EXPECT_EQ(run(GetParam(), c).status, Status::refused);
       }
     }

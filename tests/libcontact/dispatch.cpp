@@ -40,6 +40,11 @@ TEST(Dispatch, every_pair_of_particles_and_every_particle_against_a_wall_is_answ
     for (const Kind other : {Kind::sphere, Kind::ellipsoid, Kind::polyhedron, Kind::plane, Kind::mesh})
       EXPECT_EQ(find(particle, other) != nullptr, particle <= other) << name_of(particle) << " " << name_of(other);
   EXPECT_EQ(find(Kind::plane, Kind::mesh), nullptr);
+  for (const Kind particle : {Kind::disc, Kind::ellipse, Kind::polygon}) {
+    for (const Kind other : {Kind::disc, Kind::ellipse, Kind::polygon, Kind::line})
+      EXPECT_EQ(find(particle, other) != nullptr, particle <= other) << name_of(particle) << " " << name_of(other);
+    EXPECT_EQ(find(Kind::sphere, particle), nullptr);  // the two dimensions never meet
+  }
 }
 
 TEST(Dispatch, automatic_choice_is_the_cheapest_certified_method) {

@@ -1,4 +1,4 @@
-// dem contact on the case file: every 3-D case within its tolerance, right state, bounds that hold and are narrow.
+// dem contact on the case file: every case within its tolerance, right state, bounds that hold and are narrow.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,16 +24,13 @@ TEST(ContactCases, EveryCaseIsAnsweredWithinItsTolerance) {
   const json results = json::parse(program::read(folder.path("out.json")))["results"];
   ASSERT_EQ(results.size(), cases.size());
   const double inf = std::numeric_limits<double>::infinity();
-  int in_space = 0;
+  int answered = 0, unproven = 0;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const json &c = cases[i], &r = results[i], &e = c["expect"];
     SCOPED_TRACE(c["id"].get<std::string>());
     EXPECT_EQ(r["id"], c["id"]);
-    if (c["dim"] == 2) {
-      EXPECT_EQ(r["status"], "refused");
-      continue;
-    }
-    ++in_space;
+    const std::size_t dim = c["dim"];
+    ++answered;
     ASSERT_TRUE(r["gap"].is_number());
     const double gap = r["gap"], lower = r["gap_lower"], upper = r["gap_upper"];
     const double known = e["signed_gap"], tolerance = e["abs_tol"];
@@ -49,21 +46,24 @@ TEST(ContactCases, EveryCaseIsAnsweredWithinItsTolerance) {
       EXPECT_NE(r["status"], "not_converged");
     }
     EXPECT_TRUE(r["method"].is_string());
-    EXPECT_TRUE(r["certified"].get<bool>());
+    // Two ellipses that overlap deeply may have several maxima: best of many starts, said to be uncertified.
+    const bool ellipses = c["shape_a"]["type"] == "ellipse" && c["shape_b"]["type"] == "ellipse";
+    EXPECT_TRUE(r["certified"].get<bool>() || ellipses);
+    unproven += !r["certified"].get<bool>();
     // The witness points are a gap apart.
     double square = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < dim; ++k) {
       const double d = r["point_b"][k].get<double>() - r["point_a"][k].get<double>();
       square += d * d;
     }
     double far = 0;
-    for (std::size_t k = 0; k < 3; ++k) far = std::max(far, std::abs(c["pose_a"]["position"][k].get<double>()));
+    for (std::size_t k = 0; k < dim; ++k) far = std::max(far, std::abs(c["pose_a"]["position"][k].get<double>()));
     EXPECT_NEAR(std::sqrt(square), std::abs(gap), 4 * tolerance + 8 * far * 0x1p-52);
     if (e["normals"].is_null()) continue;
     double best = inf;
     for (const json& n : e["normals"]) {
       double difference = 0;
-      for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t k = 0; k < dim; ++k) {
         const double d = n[k].get<double>() - r["normal"][k].get<double>();
         difference += d * d;
       }
@@ -71,8 +71,9 @@ TEST(ContactCases, EveryCaseIsAnsweredWithinItsTolerance) {
     }
     EXPECT_LE(best, e["normal_tol"].get<double>());
   }
-  EXPECT_EQ(in_space, 65);
-  EXPECT_NE(o.out.find("65 of 65 3-D cases within tolerance"), std::string::npos) << o.out;
+  EXPECT_EQ(answered, 77);
+  EXPECT_LE(unproven, 3);
+  EXPECT_NE(o.out.find("77 of 77 cases within tolerance"), std::string::npos) << o.out;
 }
 
 std::string sphere_case(const std::string& id, const std::string& x) {

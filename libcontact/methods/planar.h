@@ -1,0 +1,49 @@
+// Bodies of the plane z = 0: discs, ellipses, convex polygons, lines. The support separation is a function of one
+// angle:
+//
+//   f(n) = n·d − h_A(n) − h_B(−n),   gap = max f                                                              (1)
+//
+// Its maximum lies at an edge normal, at the direction between the nearest two vertices, or, with an ellipse, at the
+// normal of a foot of a vertex on it; every candidate is a lower bound, so the largest is the answer              (2)
+// Two ellipses: Newton's step s = r/(K + f) along the tangent, r = t·(d − x_A + x_B), K the sum of the radii of
+// curvature a²b²/h³; max f <= f + r²/(2(m + f)) with m the least K, where m + f > 0 (3) Two polygons act on the overlap
+// itself: the centroid of its area and its spread along the edge are the patch.
+//
+// Disc and ellipse against disc and line, and disc against ellipse, are the sections of their counterparts in space by
+// their plane of symmetry, in which the nearest points lie. Polygons that are not convex are refused. Cost: polygons
+// n_A·n_B. Accuracy: 32 eps L, certified; two ellipses that overlap by more than m: best of 18 starts, not certified.
+// Tests: tests/libcontact/contract.cpp, tests/program/contact_cases.cpp.
+#pragma once
+
+#include "libcontact/contact.h"
+
+namespace contact {
+
+struct Planar {
+  static constexpr const char* name = "planar";
+  static constexpr int cost_rank = 0;
+  static constexpr const char* remark = "plane bodies: closed forms, edge axes and vertices, one-angle Newton";
+  template <class A, class B>
+  static constexpr bool certified = !(std::is_same_v<A, shapes::Ellipse> && std::is_same_v<B, shapes::Ellipse>);
+
+  static Contact query(const Placed<shapes::Disc>& a, const Placed<shapes::Disc>& b, const Vec3d& offset,
+                       const Options& options, Cache* cache);
+  static Contact query(const Placed<shapes::Disc>& a, const Placed<shapes::Ellipse>& b, const Vec3d& offset,
+                       const Options& options, Cache* cache);
+  static Contact query(const Placed<shapes::Disc>& a, const Placed<shapes::Polygon>& b, const Vec3d& offset,
+                       const Options& options, Cache* cache);
+  static Contact query(const Placed<shapes::Disc>& a, const Placed<shapes::Line>& b, const Vec3d& offset,
+                       const Options& options, Cache* cache);
+  static Contact query(const Placed<shapes::Ellipse>& a, const Placed<shapes::Ellipse>& b, const Vec3d& offset,
+                       const Options& options, Cache* cache);
+  static Contact query(const Placed<shapes::Ellipse>& a, const Placed<shapes::Polygon>& b, const Vec3d& offset,
+                       const Options& options, Cache* cache);
+  static Contact query(const Placed<shapes::Ellipse>& a, const Placed<shapes::Line>& b, const Vec3d& offset,
+                       const Options& options, Cache* cache);
+  static Contact query(const Placed<shapes::Polygon>& a, const Placed<shapes::Polygon>& b, const Vec3d& offset,
+                       const Options& options, Cache* cache);
+  static Contact query(const Placed<shapes::Polygon>& a, const Placed<shapes::Line>& b, const Vec3d& offset,
+                       const Options& options, Cache* cache);
+};
+
+}  // namespace contact

@@ -1,0 +1,21 @@
+// Building polygons from outlines and points.
+//
+// Every builder checks its input and throws shapes::Error. Points nearer than 64 eps of the largest coordinate are one,
+// and a vertex that near to the line through its neighbours is dropped. Lengths multiplied by a power of two give the
+// same bits, scaled. Cost: n² for the test of simplicity, for set-up only. Tests: tests/shapes/polygon.cpp.
+#pragma once
+
+#include <span>
+
+#include "shapes/polygon.h"
+
+namespace shapes {
+
+// Outline in either sense, z ignored; refused when it crosses or touches itself, or encloses no area.
+Polygon polygon_from_outline(std::span<const Vec3d> outline);
+// Convex hull.
+Polygon polygon_hull(std::span<const Vec3d> points);
+// Equal sides, first corner on +x.
+Polygon make_regular_polygon(int sides, double circumradius);
+
+}  // namespace shapes
