@@ -46,10 +46,11 @@ void add_particle(World& world, std::uint32_t shape, std::uint32_t material, dou
 void set_mass(World& world, std::size_t i, double scale) {
   Particles& p = world.particles;
   const ShapeEntry& s = world.shapes[p.shape[i]];
-  const double density = world.materials[p.material[i]].density, cube = scale * scale * scale;
+  const double density = world.materials[p.material[i]].density;
+  const double power = s.mass_power == 3 ? scale * scale * scale : scale * scale;
   Motion& m = p.motion[i];
-  p.mass[i] = density * s.volume * cube;
-  p.inertia[i] = s.inertia * (density * (cube * scale * scale));
+  p.mass[i] = density * s.volume * power;
+  p.inertia[i] = s.inertia * (density * (power * scale * scale));
   m.inverse_mass = 1 / p.mass[i];
   m.bounding_radius = s.circumradius * scale;
   m.equivalent_radius = s.equivalent_radius * scale;
@@ -162,7 +163,7 @@ World build_world(const Scene& scene) {
   World world;
   world.scene = scene;
   mix_materials(world);
-  for (const ShapeSpec& s : scene.shapes) world.shapes.push_back(make_shape(s));
+  for (const ShapeSpec& s : scene.shapes) world.shapes.push_back(make_shape(s, scene));
   for (const WallSpec& w : scene.walls) world.walls.push_back(make_wall(w, material_index(world, w.material, w.where)));
   std::vector<const Where*> where;
   const auto mark = [&](const Where& w) { where.resize(world.particles.count(), &w); };

@@ -5,7 +5,7 @@
 
 namespace dem {
 
-ShapeEntry make_shape(const ShapeSpec& spec);
+ShapeEntry make_shape(const ShapeSpec& spec, const Scene& scene);
 Wall make_wall(const WallSpec& spec, std::uint32_t material);
 
 // Appends a body; `where` is kept by the caller for messages. scale multiplies the shape's size.

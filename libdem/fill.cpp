@@ -56,23 +56,25 @@ void add_fill(World& world, const FillSpec& f, std::uint64_t stream) {
   for (const Draft& d : list) radius = std::max(radius, d.scale * world.shapes[d.shape].circumradius);
   const double cell = 2 * radius;
   const Vec3d extent = f.upper - f.lower;
-  std::uint64_t n[3], room = 1;
-  for (int k = 0; k < 3; ++k) room *= n[k] = static_cast<std::uint64_t>(std::max(0.0, std::floor(extent[k] / cell)));
+  std::uint64_t n[3] = {1, 1, 1}, room = 1;
+  const bool planar = world.scene.dimension == 2;
+  for (int k = 0; k < (planar ? 2 : 3); ++k)
+    room *= n[k] = static_cast<std::uint64_t>(std::max(0.0, std::floor(extent[k] / cell)));
   if (room < list.size())
     input_error(f.where, "fill: " + std::to_string(list.size()) + " bodies asked for, room for " +
                              std::to_string(room) + " of the largest bounding sphere (diameter " +
                              std::to_string(cell) + " m); make the box larger or the count smaller");
-  const Vec3d pitch{extent.x / static_cast<double>(n[0]), extent.y / static_cast<double>(n[1]), cell};
+  const Vec3d pitch{extent.x / static_cast<double>(n[0]), planar ? cell : extent.y / static_cast<double>(n[1]), cell};
   for (std::size_t i = 0; i < list.size(); ++i) {
     const Draft& d = list[i];
     Random random(world.scene.run.seed, (std::uint64_t(1) << 32) + stream, i);
     const double r = d.scale * world.shapes[d.shape].circumradius;
     const std::uint64_t cell_of[3] = {i % n[0], i / n[0] % n[1], i / (n[0] * n[1])};
     Vec3d x;
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < (planar ? 2 : 3); ++k)
       x[k] = f.lower[k] + pitch[k] * (static_cast<double>(cell_of[k]) + 0.5) +
              (0.5 * pitch[k] - r) * random.uniform(-1, 1);
-    add_particle(world, d.shape, d.material, d.scale, x, random.rotation(), f.velocity, {});
+    add_particle(world, d.shape, d.material, d.scale, x, planar ? random.turn() : random.rotation(), f.velocity, {});
   }
 }
 
@@ -98,13 +100,16 @@ void add_csv(World& world, const CsvSpec& spec) {
         material_index(world, has("material") ? table.rows[r][column["material"]] : spec.material, here);
     double scale = value(r, "scale", 1);
     if (has("radius")) {
-      if (world.shapes[s].kind != shapes::Kind::sphere) input_error(here, "column \"radius\" is for spheres");
+      if (!is_round(world.shapes[s].kind)) input_error(here, "column \"radius\" is for spheres and discs");
       scale = io::number(table, r, column["radius"]) / world.shapes[s].size.x;
     }
     if (!(scale > 0)) input_error(here, "size " + std::to_string(scale) + " is not positive");
     const Quatd q{value(r, "qw", 1), value(r, "qx", 0), value(r, "qy", 0), value(r, "qz", 0)};
     const double norm2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
     if (!(norm2 > 0.25 && norm2 < 4)) input_error(here, "the quaternion (qw, qx, qy, qz) is not of unit length");
+    if (world.scene.dimension == 2)
+      for (const char* name : {"z", "qx", "qy", "vz", "wx", "wy"})
+        if (value(r, name, 0) != 0) input_error(here, std::string("column \"") + name + "\" must be 0 in a 2-D scene");
     add_particle(world, s, m, scale, {value(r, "x", 0), value(r, "y", 0), value(r, "z", 0)}, q,
                  {value(r, "vx", 0), value(r, "vy", 0), value(r, "vz", 0)},
                  {value(r, "wx", 0), value(r, "wy", 0), value(r, "wz", 0)});

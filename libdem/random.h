@@ -20,6 +20,16 @@ class Random {
   double uniform() { return static_cast<double>(bits() >> 11) * 0x1p-53; }  // [0, 1)
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
+  // Uniform random rotation about z: a direction of the upper half disc, taken as (cos, sin) of half the angle.
+  shapes::Quatd turn() {
+    double a, b, s;
+    do {
+      a = uniform(-1, 1);
+      b = uniform(0, 1);
+      s = a * a + b * b;
+    } while (s >= 1 || s == 0);
+    return shapes::normalized(shapes::Quatd{a, 0, 0, b});
+  }
   // Uniform random rotation (Marsaglia, Ann. Math. Stat. 43 (1972) 645: two discs, no trigonometry).
   shapes::Quatd rotation() {
     double a, b, c, d, s1, s2;

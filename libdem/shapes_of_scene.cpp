@@ -1,4 +1,8 @@
 // Shapes and walls of a scene: from their specification to geometry and mass.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "libdem/build.h"
 #include "shapes/geometry.h"
 #include "shapes/mesh_build.h"
@@ -27,9 +31,31 @@ shapes::Polyhedron polyhedron_of(const ShapeSpec& s) {
   return shapes::polyhedron_from_points(s.vertices, shapes::Frame::principal);
 }
 
+// An ellipse of the plane: a prism of the scene's thickness h, m = ρ π a b h, I = m (a² + b²)/4, or (a = b) a sphere
+// that moves in the plane. The moment about z stands for all three: nothing turns about another axis.
+void make_planar(const Scene& scene, double a, double b, ShapeEntry& e) {
+  const double area = std::numbers::pi * (a * b);
+  e.size = {a, b, std::min(a, b)};
+  e.circumradius = std::max(a, b);
+  e.inscribed_radius = std::min(a, b);
+  double moment = 0;
+  if (scene.disc_model == DiscModel::sphere) {
+    e.equivalent_radius = a;
+    const auto ball = shapes::mass_properties(shapes::Sphere{a});
+    e.volume = ball.volume;
+    moment = ball.inertia.row[2].z;
+  } else {
+    e.equivalent_radius = a == b ? a : std::sqrt(a * b);
+    e.volume = area * scene.thickness;
+    e.mass_power = 2;
+    moment = e.volume * (a * a + b * b) / 4;
+  }
+  e.inertia = {moment, moment, moment};
+}
+
 }  // namespace
 
-ShapeEntry make_shape(const ShapeSpec& s) {
+ShapeEntry make_shape(const ShapeSpec& s, const Scene& scene) {
   ShapeEntry e;
   e.name = s.name;
   try {
@@ -41,6 +67,12 @@ ShapeEntry make_shape(const ShapeSpec& s) {
       e.volume = m.volume;
       e.inertia = {m.inertia.row[0].x, m.inertia.row[1].y, m.inertia.row[2].z};
       e.circumradius = e.inscribed_radius = e.equivalent_radius = s.radius;
+    } else if (s.kind == "disc") {
+      e.kind = shapes::Kind::disc;
+      make_planar(scene, s.radius, s.radius, e);
+    } else if (s.kind == "ellipse") {
+      e.kind = shapes::Kind::ellipse;
+      make_planar(scene, s.semi_axis_a, s.semi_axis_b, e);
     } else if (s.kind == "ellipsoid") {
       const shapes::Ellipsoid ellipsoid{s.semi_axes};
       const auto m = shapes::mass_properties(ellipsoid);
@@ -74,7 +106,14 @@ Wall make_wall(const WallSpec& s, std::uint32_t material) {
   w.name = s.name;
   w.material = material;
   w.motion = s;
-  if (s.kind == "plane") {
+  if (s.kind == "line") {
+    w.kind = shapes::Kind::line;
+    w.reference = s.point;
+    // The shortest turn about z of +y onto the normal (-sin, cos): half-angle formulas without trigonometry.
+    const Vec3d n = shapes::normalized(s.normal * (1 / shapes::max_abs(s.normal)));
+    w.reference_orientation =
+        n.y > -0.5 ? shapes::normalized(Quatd{1 + n.y, 0, 0, -n.x}) : shapes::normalized(Quatd{-n.x, 0, 0, 1 - n.y});
+  } else if (s.kind == "plane") {
     w.kind = shapes::Kind::plane;
     w.reference = s.point;
     // Orientation: the shortest turn of +z onto the normal.

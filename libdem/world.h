@@ -22,10 +22,11 @@ struct ShapeEntry {  // a named shape of the scene, at scale 1
   shapes::Kind kind = shapes::Kind::sphere;
   std::shared_ptr<const shapes::Polyhedron> polyhedron;  // kind polyhedron only
   Vec3d size{};                                          // sphere (r, r, r), ellipsoid semi-axes, polyhedron (1, 1, 1)
-  double volume = 0;                                     // m³
-  double equivalent_radius = 0;                          // m
-  Vec3d inertia{};                                       // principal, per unit density, m⁵
-  double circumradius = 0, inscribed_radius = 0;         // m
+  double volume = 0;                                     // m³; of a prism: area times thickness
+  int mass_power = 3;                                    // mass grows as scale^3, that of a prism as scale^2
+  double equivalent_radius = 0;                   // m, of the sphere of equal volume; of a prism: disc of equal area
+  Vec3d inertia{};                                // principal, per unit density, m⁵
+  double circumradius = 0, inscribed_radius = 0;  // m
 };
 
 struct Wall {

@@ -94,7 +94,7 @@ void print_model(const World& world) {
                          s.periodic.upper[k]);
   line("periodic", box.empty() ? "off: periodic.axes is none" : box);
   line("detection", s.method);
-  for (const char* absent : {"rolling", "cohesion", "2-D"}) line(absent, "off: not in this version");
+  for (const char* absent : {"rolling", "cohesion"}) line(absent, "off: not in this version");
   line("frames", s.output.interval > 0 ? fmt::format("every {:.4g} s", s.output.interval)
                                        : "first and last: output.interval is 0");
   line("picture", !s.output.picture      ? "off: output.picture is false"

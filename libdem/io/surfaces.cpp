@@ -8,7 +8,9 @@ namespace dem::io {
 
 namespace {
 
-Vec3d plane_normal(const Wall& wall) { return rotate(wall.orientation, Vec3d{0, 0, 1}); }
+Vec3d plane_normal(const Wall& wall) {
+  return rotate(wall.orientation, wall.kind == shapes::Kind::line ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1});
+}
 Vec3d to_world(const Wall& wall, const Vec3d& x) { return rotate(wall.orientation, x) + wall.position; }
 
 // Keeps the part of a convex polygon with n·(x − point) >= 0 (Sutherland and Hodgman's clipping).
@@ -30,11 +32,15 @@ WallSurface plane_surface(const World& world, std::size_t index, const Box& box)
   const double half = 1.1 * box.radius();
   Vec3d t1, t2;
   tangent_frame(n, t1, t2);
+  if (wall.kind == shapes::Kind::line) {  // a strip as deep as the bodies
+    t1 = {n.y, -n.x, 0};
+    t2 = {0, 0, half > 0 ? 0.5 * (box.upper.z - box.lower.z) / half : 0};
+  }
   std::vector<Vec3d> polygon{centre - (t1 + t2) * half, centre + (t1 - t2) * half, centre + (t1 + t2) * half,
                              centre + (t2 - t1) * half};
   for (std::size_t other = 0; other < world.walls.size(); ++other) {
     const Wall& w = world.walls[other];
-    if (other == index || !w.present || w.kind != shapes::Kind::plane) continue;
+    if (other == index || !w.present || !is_half_space(w.kind)) continue;
     const Vec3d m = plane_normal(w);
     if (norm(cross(m, n)) > 1e-6) polygon = clip(polygon, m, w.position);
   }

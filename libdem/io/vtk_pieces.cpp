@@ -18,7 +18,7 @@ std::array<double, 3> list(const Vec3d& v) { return {v.x, v.y, v.z}; }
 std::int32_t index32(std::size_t i) { return static_cast<std::int32_t>(i); }
 
 bool is_polyhedron(const World& world, std::size_t i) {
-  return world.shapes[world.particles.shape[i]].kind == shapes::Kind::polyhedron;
+  return world.shapes[world.particles.shape[i]].polyhedron != nullptr;
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ class Painter {
     tangent_frame(sun_, sun_u_, sun_v_);
     double sum = 0;
     for (const Body& b : picture.bodies)
-      sum += b.kind == shapes::Kind::polyhedron ? b.size.x * b.polyhedron->circumradius : max_abs(b.size);
+      sum += b.polyhedron != nullptr ? b.size.x * b.polyhedron->circumradius : max_abs(b.size);
     sky_reach_ = picture.bodies.empty() ? 1.0 : 4 * sum / static_cast<double>(picture.bodies.size());
   }
 
@@ -126,7 +126,7 @@ class Painter {
     const Color base = picture_.names.empty() ? sequential(span > 0 ? (body.value - range_.lower) / span : 0.5)
                                               : categorical(static_cast<std::size_t>(body.value));
     const Vec3d normal = dot(hit.normal, ray.direction) > 0 ? -hit.normal : hit.normal;
-    return lit(base, ray, hit.distance, normal, spread, body.kind == shapes::Kind::polyhedron ? 0.4f * gloss : gloss);
+    return lit(base, ray, hit.distance, normal, spread, body.polyhedron != nullptr ? 0.4f * gloss : gloss);
   }
 
   Color lit(const Color& base, const Ray& ray, double distance, const Vec3d& n, const Spread& spread,

@@ -48,6 +48,7 @@ Picture picture_of(const World& world, const View& view) {
   const Particles& p = world.particles;
   Picture picture;
   const double g = norm(world.scene.gravity);
+  if (world.scene.dimension == 2) picture.up = {0, 1, 0};
   if (g > 0) picture.up = world.scene.gravity * (-1 / g);
   picture.walls = io::wall_surfaces(world, view.box ? *view.box : picture_box(world));
   if (by == "shape") picture.names = names_of(world.shapes);
@@ -84,6 +85,7 @@ io::Box picture_box(const World& world) {
 Image draw(const World& world, const View& view) {
   View framed = view;
   if (!framed.box) framed.box = picture_box(world);
+  if (world.scene.dimension == 2 && !framed.orthographic) framed.orthographic = Vec3d{0, 0, -1};
   return draw(picture_of(world, framed), framed);
 }
 

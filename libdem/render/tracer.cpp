@@ -124,7 +124,7 @@ struct Tracer::Scene {
 
   void add_rounds(const std::vector<Body>& list) {
     for (std::uint32_t i = 0; i < list.size(); ++i)
-      if (list[i].kind == shapes::Kind::sphere || list[i].kind == shapes::Kind::ellipsoid)
+      if (list[i].polyhedron == nullptr)
         rounds.push_back({list[i].position, list[i].size, rotation_matrix(list[i].orientation), i});
     if (rounds.empty()) return;
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
@@ -158,7 +158,7 @@ struct Tracer::Scene {
     std::vector<Vec3d> vertices;
     std::vector<Triangle> triangles;
     for (std::uint32_t i = 0; i < list.size(); ++i) {
-      if (list[i].kind != shapes::Kind::polyhedron) continue;
+      if (list[i].polyhedron == nullptr) continue;
       const shapes::Polyhedron& shape = *list[i].polyhedron;
       const Mat3d r = rotation_matrix(list[i].orientation);
       const auto base = static_cast<std::uint32_t>(vertices.size());

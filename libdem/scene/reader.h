@@ -20,5 +20,7 @@ void read_by_schema(const Node& root, Scene& scene, Errors& errors);
 void apply_libraries(const Node& root, Scene& scene, Errors& errors);
 // What the schema cannot say: rules that join several keys.
 void check_rules(const Node& root, const Scene& scene, Errors& errors);
+// The part that concerns two-dimensional scenes.
+void check_planar_rules(const Node& root, const Scene& scene, Errors& errors);
 
 }  // namespace dem

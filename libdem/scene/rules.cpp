@@ -85,7 +85,7 @@ class Rules {
 
   void wall(std::size_t i) {
     const WallSpec& w = scene_.walls[i];
-    if (w.kind == "plane") nonzero("wall", i, "normal", w.normal);
+    if (w.kind != "mesh") nonzero("wall", i, "normal", w.normal);
     if (w.motion == WallMotion::rotation) nonzero("wall", i, "axis", w.axis);
     if (w.motion != WallMotion::fixed && !(w.start < w.stop))
       wrong("wall", i, "stop", fmt::format("allowed wall.stop > wall.start = {}", w.start));
@@ -101,8 +101,11 @@ class Rules {
 
   void fill(std::size_t i) {
     const FillSpec& f = scene_.fills[i];
-    for (int k = 0; k < 3; ++k)
-      if (!(f.lower[k] < f.upper[k])) return wrong("fill", i, "upper", "allowed fill.upper > fill.lower in x, y and z");
+    for (int k = 0; k < scene_.dimension; ++k)
+      if (!(f.lower[k] < f.upper[k]))
+        return wrong(
+            "fill", i, "upper",
+            fmt::format("allowed fill.upper > fill.lower in x{}", scene_.dimension == 2 ? " and y" : ", y and z"));
   }
 
   // A box of some length; walls, outlets and fills that are the same for every image.
@@ -196,6 +199,9 @@ class Rules {
 
 }  // namespace
 
-void check_rules(const Node& root, const Scene& scene, Errors& errors) { Rules(root, scene, errors).check(); }
+void check_rules(const Node& root, const Scene& scene, Errors& errors) {
+  Rules(root, scene, errors).check();
+  check_planar_rules(root, scene, errors);
+}
 
 }  // namespace dem

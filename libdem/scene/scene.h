@@ -75,18 +75,23 @@ struct MaterialPairSpec {  // overrides what mixing would give; NaN = mixed
 
 enum class LawName { spring_dashpot, hertz_mindlin };
 
+// How a law of spheres finds its radius on other bodies.
+enum class LawMap { automatic, equivalent_radius };
+
 struct LawSpec {
   LawName name = LawName::hertz_mindlin;
+  LawMap map = LawMap::automatic;
   bool rescale = true;  // hertz_mindlin: shorten the tangential spring when the contact radius shrinks
 };
 
 // sphere: radius. ellipsoid: semi_axes. box: extents. prism: sides, circumradius, height. tetrahedron … icosahedron:
-// circumradius. polyhedron: vertices, or half_spaces, or file (OFF, OBJ, STL); `diameter` > 0 rescales a polyhedron so
-// that its volume-equivalent sphere has this diameter.
+// circumradius. In the plane: disc: radius; ellipse: semi_axis_a, semi_axis_b. polyhedron: vertices, or half_spaces, or
+// file (OFF, OBJ, STL); `diameter` > 0 rescales a polyhedron so that its volume-equivalent sphere has this diameter.
 struct ShapeSpec {
   std::string name, kind;
   double radius = 0;
   Vec3d semi_axes{}, extents{};
+  double semi_axis_a = 0, semi_axis_b = 0;
   int sides = 0;
   double circumradius = 0, height = 0;
   std::vector<Vec3d> vertices;
@@ -99,9 +104,9 @@ struct ShapeSpec {
 enum class WallMotion { fixed, translation, rotation, oscillation };
 
 struct WallSpec {
-  std::string name, kind;  // plane | mesh
+  std::string name, kind;  // plane | mesh | line
   std::string material;
-  Vec3d point{}, normal{0, 0, 1};  // plane
+  Vec3d point{}, normal{0, 0, 1};  // plane, line
   std::string file;                // mesh, resolved path; or vertices + triangles
   double scale = 1;
   std::vector<Vec3d> vertices;
@@ -160,6 +165,9 @@ struct PeriodicSpec {         // a box whose opposite faces are one face
   bool along(int axis) const { return axes != "none" && axes.find("xyz"[axis]) != std::string::npos; }
 };
 
+// Two-dimensional bodies are prisms of the scene's thickness, or (discs only) spheres that move in a plane.
+enum class DiscModel { prism, sphere };
+
 struct Scene {
   std::string path;  // file it came from
   std::string title;
@@ -167,6 +175,9 @@ struct Scene {
   OutputSpec output;
   Vec3d gravity{};  // m/s²
   PeriodicSpec periodic;
+  int dimension = 3;
+  DiscModel disc_model = DiscModel::prism;
+  double thickness = 0;  // m, of the prisms of a two-dimensional scene
   std::string method = "auto";
   LawSpec law;
   std::vector<MaterialSpec> materials;

@@ -181,7 +181,7 @@ std::vector<Key> pair_keys() {
 
 std::vector<Key> shape_keys() {
   const std::vector<std::string> platonic{"tetrahedron", "cube", "octahedron", "dodecahedron", "icosahedron"};
-  std::vector<std::string> kinds{"sphere", "ellipsoid", "box", "prism"};
+  std::vector<std::string> kinds{"sphere", "ellipsoid", "disc", "ellipse", "box", "prism"};
   kinds.insert(kinds.end(), platonic.begin(), platonic.end());
   kinds.push_back("polyhedron");
   std::vector<std::string> round{"prism"};
@@ -189,10 +189,18 @@ std::vector<Key> shape_keys() {
   return {
       value<&ShapeSpec::name>("name", "", "Name by which bodies refer to it.").own_name(),
       value<&ShapeSpec::kind>("kind", "", "What it is.").one_of(kinds).must(),
-      value<&ShapeSpec::radius>("radius", "m", "Radius.").above(0).when("kind", {"sphere"}).must(),
+      value<&ShapeSpec::radius>("radius", "m", "Radius.").above(0).when("kind", {"sphere", "disc"}).must(),
       value<&ShapeSpec::semi_axes>("semi_axes", "m", "Semi-axes along x, y, z.")
           .above(0)
           .when("kind", {"ellipsoid"})
+          .must(),
+      value<&ShapeSpec::semi_axis_a>("semi_axis_a", "m", "Semi-axis along x.")
+          .above(0)
+          .when("kind", {"ellipse"})
+          .must(),
+      value<&ShapeSpec::semi_axis_b>("semi_axis_b", "m", "Semi-axis along y.")
+          .above(0)
+          .when("kind", {"ellipse"})
           .must(),
       value<&ShapeSpec::extents>("extents", "m", "Full edge lengths along x, y, z.")
           .above(0)
@@ -226,11 +234,13 @@ std::vector<Key> wall_keys() {
   const std::vector<std::string> moving{"translation", "rotation", "oscillation"};
   return {
       value<&WallSpec::name>("name", "", "Name in messages and output.").own_name(),
-      value<&WallSpec::kind>("kind", "", "Infinite plane, or triangle mesh.").one_of({"plane", "mesh"}).must(),
+      value<&WallSpec::kind>("kind", "", "Infinite plane or triangle mesh; in a 2-D scene an infinite line.")
+          .one_of({"plane", "mesh", "line"})
+          .must(),
       value<&WallSpec::material>("material", "", "Its material.").refers("material").must(),
-      value<&WallSpec::point>("point", "m", "A point on the plane.").when("kind", {"plane"}).must(),
+      value<&WallSpec::point>("point", "m", "A point on the plane or line.").when("kind", {"plane", "line"}).must(),
       value<&WallSpec::normal>("normal", "", "Out of the wall, towards the bodies; any length.")
-          .when("kind", {"plane"})
+          .when("kind", {"plane", "line"})
           .must(),
       value<&WallSpec::file>("file", "", "OFF, OBJ or STL file; give this, or vertices and triangles.")
           .as_file()
@@ -312,19 +322,28 @@ const Section& schema() {
       table<&Scene::output>("output", "What a run writes, and when.", output_keys()),
       heading<Scene>(
           "world", "What surrounds the bodies.",
-          {value<&Scene::gravity>("gravity", "m/s^2", "Acceleration of gravity; [0, 0, 0] for none.").must()})
+          {value<&Scene::gravity>("gravity", "m/s^2", "Acceleration of gravity; [0, 0, 0] for none.").must(),
+           value<&Scene::dimension>("dimension", "", "3, or 2 for bodies that move in the plane z = 0.").from(2).to(3),
+           word<&Scene::disc_model>("disc_model", "2-D bodies: prisms of world.thickness, or (discs only) spheres.",
+                                    {"prism", "sphere"}),
+           value<&Scene::thickness>("thickness", "m", "Thickness of the prisms; needed where dimension = 2.").above(0)})
           .must(),
       table<&Scene::periodic>("periodic", "Periodic boundaries.", periodic_keys()),
-      heading<Scene>(
-          "contact", "How contacts are detected.",
-          {value<&Scene::method>("method", "",
-                                 "Name of a detection method, or auto = the cheapest certified one of each pair."),
-           uncertified_share().from(0).to(1)}),
+      heading<Scene>("contact", "How contacts are detected.",
+                     {value<&Scene::method>(
+                          "method", "",
+                          "Name of a detection method, or auto = the cheapest certified one of each pair."),
+                      uncertified_share().from(0).to(1)}),
       table<&Scene::law>(
           "law", "The force law.",
           {word<&LawSpec::name>("name", "Linear spring and dashpot, or Hertz-Mindlin.",
                                 {"spring_dashpot", "hertz_mindlin"})
                .must(),
+           word<&LawSpec::map>(
+               "map",
+               "Radius that a law of spheres takes on other bodies; auto = that of the sphere of equal "
+               "volume, and none on prisms; equivalent_radius: on prisms that of the disc of equal area.",
+               {"auto", "equivalent_radius"}),
            value<&LawSpec::rescale>("rescale", "", "Shorten the tangential spring when the contact radius shrinks.")
                .when("name", {"hertz_mindlin"})})
           .must(),
