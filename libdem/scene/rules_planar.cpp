@@ -67,8 +67,8 @@ class PlanarRules {
   void mass() {
     const bool prism = scene_.disc_model == DiscModel::prism;
     if (!planar_) {
-      for (const char* key : {"thickness", "disc_model"})
-        if (node("world", 0, key)) wrong("world", 0, key, "is for 2-D scenes: set world.dimension = 2");
+      if (node("world", 0, "thickness") || !prism)
+        wrong("world", 0, prism ? "thickness" : "disc_model", "is for 2-D scenes: set world.dimension = 2");
       return;
     }
     if (prism && !node("world", 0, "thickness"))

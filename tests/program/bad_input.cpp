@@ -227,7 +227,7 @@ const std::vector<BadInput> inputs{
      "[law]",
      "[periodic]\naxes = \"xy\"\nlower = [0, 0, 0]\nupper = [1, 0, 1]\n[law]",
      nullptr,
-     {"scene.toml:11:9", "periodic.upper = [1, 0, 1]", "allowed periodic.upper > periodic.lower in y"}},
+     {"scene.toml:12:9", "periodic.upper = [1, 0, 1]", "allowed periodic.upper > periodic.lower in y"}},
     {"periodic_without_box",
      "[law]",
      "[periodic]\naxes = \"x\"\n[law]",
