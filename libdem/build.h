@@ -24,6 +24,8 @@ struct Stiffness {
   double n, t;
 };
 Stiffness contact_stiffness(const World& world, std::size_t record);
+// What the body of a touching contact with a wall opposes to the wall's speed: (1 + 2β) sqrt(kn m), N s/m.
+double contact_resistance(const World& world, std::size_t record);
 // The smallest limit of the contacts as they are now, s; +infinity without contacts.
 double present_limit(const World& world);
 

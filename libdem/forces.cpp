@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "libcontact/kernels/chunk.h"
+#include "libdem/walls.h"
 
 namespace dem {
 namespace {
@@ -426,6 +427,7 @@ void sum_forces(World& world, int threads) {
     w.force -= c.slot[k].force;
     w.torque += c.slot[k].torque_b;
   }
+  sum_resistance(world);
   world.times.sum += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 

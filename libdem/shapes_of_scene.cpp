@@ -5,7 +5,6 @@
 
 #include "libdem/build.h"
 #include "shapes/geometry.h"
-#include "shapes/mesh_build.h"
 #include "shapes/polyhedron_build.h"
 
 namespace dem {
@@ -99,44 +98,6 @@ ShapeEntry make_shape(const ShapeSpec& s, const Scene& scene) {
     input_error(s.where, "shape \"" + s.name + "\": " + error.what());
   }
   return e;
-}
-
-Wall make_wall(const WallSpec& s, std::uint32_t material) {
-  Wall w;
-  w.name = s.name;
-  w.material = material;
-  w.motion = s;
-  if (s.kind == "line") {
-    w.kind = shapes::Kind::line;
-    w.reference = s.point;
-    // The shortest turn about z of +y onto the normal (-sin, cos): half-angle formulas without trigonometry.
-    const Vec3d n = shapes::normalized(s.normal * (1 / shapes::max_abs(s.normal)));
-    w.reference_orientation =
-        n.y > -0.5 ? shapes::normalized(Quatd{1 + n.y, 0, 0, -n.x}) : shapes::normalized(Quatd{-n.x, 0, 0, 1 - n.y});
-  } else if (s.kind == "plane") {
-    w.kind = shapes::Kind::plane;
-    w.reference = s.point;
-    // Orientation: the shortest turn of +z onto the normal.
-    const Vec3d n = shapes::normalized(s.normal * (1 / shapes::max_abs(s.normal)));
-    w.reference_orientation =
-        n.z > -0.5 ? shapes::normalized(Quatd{1 + n.z, -n.y, n.x, 0}) : shapes::normalized(Quatd{n.y, 1 - n.z, 0, n.x});
-    if (n.z <= -0.5 && n.x == 0 && n.y == 0) w.reference_orientation = {0, 1, 0, 0};
-  } else {
-    w.kind = shapes::Kind::mesh;
-    try {
-      std::vector<std::uint32_t> triangles;
-      for (const auto& t : s.triangles) triangles.insert(triangles.end(), t.begin(), t.end());
-      auto mesh =
-          s.file.empty() ? shapes::mesh_from_triangles(s.vertices, triangles) : shapes::mesh_from_file(s.file, s.scale);
-      w.mesh = std::make_shared<const shapes::Mesh>(std::move(mesh));
-    } catch (const shapes::Error& error) {
-      input_error(s.where, "wall \"" + s.name + "\": " + error.what());
-    }
-    for (const Vec3d& v : w.mesh->vertices) w.extent = std::max(w.extent, shapes::norm(v));
-  }
-  w.position = w.list_position = w.reference;
-  w.orientation = w.list_orientation = w.reference_orientation;
-  return w;
 }
 
 }  // namespace dem

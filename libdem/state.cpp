@@ -69,6 +69,7 @@ struct WallState {
   Vec3d position;
   Quatd orientation;
   Vec3d velocity, spin, force, torque;
+  double resistance;
   std::uint64_t present;
 };
 
@@ -107,7 +108,8 @@ std::vector<std::uint8_t> save_state(const World& world) {
   Writer w;
   particles(w, world);
   for (const Wall& x : world.walls)
-    w.value(WallState{x.position, x.orientation, x.velocity, x.spin, x.force, x.torque, x.present ? 1u : 0u});
+    w.value(
+        WallState{x.position, x.orientation, x.velocity, x.spin, x.force, x.torque, x.resistance, x.present ? 1u : 0u});
   const Contacts& c = world.contacts;
   std::vector<Kept> kept;
   for (std::size_t k = 0; k < c.count(); ++k)
@@ -130,6 +132,7 @@ void load_state(World& world, const std::vector<std::uint8_t>& bytes) {
     x.spin = s.spin;
     x.force = s.force;
     x.torque = s.torque;
+    x.resistance = s.resistance;
     x.present = s.present != 0;
   }
   std::vector<Kept> kept;

@@ -60,6 +60,13 @@ Stiffness contact_stiffness(const World& world, std::size_t k) {
   return stiffness_at(world, world.pairs[p.material[a] * world.materials.size() + mb], radius, c.history[k].overlap);
 }
 
+double contact_resistance(const World& world, std::size_t k) {
+  const Contacts& c = world.contacts;
+  const std::uint32_t a = c.index_a[k], material = world.walls[c.index_b[k]].material;
+  const PairParameters& q = world.pairs[world.particles.material[a] * world.materials.size() + material];
+  return (1 + 2 * law_beta(world, q)) * std::sqrt(contact_stiffness(world, k).n * world.particles.mass[a]);
+}
+
 TimeStep choose_time_step(const World& world) {
   const Particles& p = world.particles;
   const std::size_t materials = world.materials.size();

@@ -1,12 +1,56 @@
+// The servo. A wall without mass that pushes with target − force, against a resistance c: v = gain (target − F) / c,
+// |v| <= speed_limit, F the push of the wall on the bodies in the step before. With
+//   c = Σ (1 + 2β) sqrt(kn m)   over the bodies m that it touches, kn the stiffness of their contacts              (1)
+// the wall is matched to the bed: sqrt(k m) is what a chain of bodies opposes to a slow push, so the wall absorbs what
+// comes to it instead of throwing it back.
+// The iteration v → F → v is stable: the contacts' own dashpots, 2β sqrt(kn m) at most, answer with less than c, and
+// the springs with kn dt / c < sqrt(kn/m) dt, which the time step keeps below 1. A wall that touches nothing keeps its
+// last c; before its first contact it comes at speed_limit.
 #include "libdem/walls.h"
 
 #include <algorithm>
 #include <numbers>
 
+#include "libdem/build.h"
 #include "shapes/math/trig.h"
 
 namespace dem {
 namespace {
+
+// Value and slope of a table of rows [time, …] at a time: straight between rows, at rest outside.
+template <class Row>
+struct Sample {
+  Row value{}, slope{};
+};
+template <class Row>
+Sample<Row> sample(const std::vector<Row>& rows, double time) {
+  Sample<Row> s;
+  if (rows.empty()) return s;
+  const auto next = std::upper_bound(rows.begin(), rows.end(), time, [](double t, const Row& r) { return t < r[0]; });
+  if (next == rows.begin() || next == rows.end()) {
+    s.value = next == rows.begin() ? rows.front() : rows.back();
+    return s;
+  }
+  const Row &a = *(next - 1), &b = *next;
+  for (std::size_t k = 1; k < a.size(); ++k) {
+    s.slope[k] = (b[k] - a[k]) / (b[0] - a[0]);
+    s.value[k] = a[k] + s.slope[k] * (time - a[0]);
+  }
+  return s;
+}
+
+// Turned by an angle about the motion's axis, at a rate.
+void turn(Wall& w, double angle, double rate) {
+  const WallSpec& m = w.motion;
+  const auto half = shapes::sine_cosine(0.5 * angle);
+  const Vec3d axis = shapes::normalized(m.axis * (1 / shapes::max_abs(m.axis)));
+  const Quatd q{half.cosine, axis.x * half.sine, axis.y * half.sine, axis.z * half.sine};
+  const Vec3d arm = shapes::rotate(q, w.reference - m.centre);
+  w.position = m.centre + arm;
+  w.orientation = shapes::normalized(q * w.reference_orientation);
+  w.spin = axis * rate;
+  w.velocity = cross(w.spin, arm);
+}
 
 void place(Wall& w, double time) {
   const WallSpec& m = w.motion;
@@ -20,19 +64,8 @@ void place(Wall& w, double time) {
       w.position = w.reference + m.velocity * elapsed;
       if (moves) w.velocity = m.velocity;
       return;
-    case WallMotion::rotation: {
-      const auto half = shapes::sine_cosine(0.5 * m.rate * elapsed);
-      const Vec3d axis = shapes::normalized(m.axis * (1 / shapes::max_abs(m.axis)));
-      const Quatd turn{half.cosine, axis.x * half.sine, axis.y * half.sine, axis.z * half.sine};
-      const Vec3d arm = shapes::rotate(turn, w.reference - m.centre);
-      w.position = m.centre + arm;
-      w.orientation = shapes::normalized(turn * w.reference_orientation);
-      if (moves) {
-        w.spin = axis * m.rate;
-        w.velocity = cross(w.spin, arm);
-      }
-      return;
-    }
+    case WallMotion::rotation:
+      return turn(w, m.rate * elapsed, moves ? m.rate : 0);
     case WallMotion::oscillation: {
       const double omega = 2 * std::numbers::pi * m.frequency;
       const auto s = shapes::sine_cosine(omega * elapsed + m.phase);
@@ -40,14 +73,52 @@ void place(Wall& w, double time) {
       if (moves) w.velocity = m.amplitude * (omega * s.cosine);
       return;
     }
+    case WallMotion::table: {
+      const auto way = sample(m.displacements, elapsed);
+      const auto angle = sample(m.turns, elapsed);
+      w.position = w.reference;
+      if (!m.turns.empty()) turn(w, angle.value[1], moves ? angle.slope[1] : 0);
+      w.position += Vec3d{way.value[1], way.value[2], way.value[3]};
+      if (moves) w.velocity += Vec3d{way.slope[1], way.slope[2], way.slope[3]};
+      return;
+    }
+    case WallMotion::servo:
+      return;  // not a function of time: push()
   }
+}
+
+void push(Wall& w, double time, double dt) {
+  const WallSpec& m = w.motion;
+  w.velocity = {};
+  if (time < m.start || time >= m.stop) return;
+  const double missing = w.target + dot(w.push, w.force);  // the force of the bodies is against the push
+  const double limit = m.speed_limit, most = w.resistance * limit, wanted = m.gain * missing;
+  const double speed = wanted >= most ? limit : wanted <= -most ? -limit : wanted / w.resistance;
+  w.velocity = w.push * speed;
+  w.position += w.velocity * dt;
 }
 
 }  // namespace
 
+void sum_resistance(World& world) {
+  bool servo = false;
+  for (const Wall& w : world.walls) servo = servo || w.motion.motion == WallMotion::servo;
+  if (!servo) return;
+  const Contacts& c = world.contacts;
+  std::vector<double> sum(world.walls.size());
+  for (const std::uint32_t k : c.wall_records)
+    if (c.touching[k] != 0 && world.walls[c.index_b[k]].motion.motion == WallMotion::servo)
+      sum[c.index_b[k]] += contact_resistance(world, k);
+  for (std::size_t w = 0; w < sum.size(); ++w)
+    if (sum[w] > 0) world.walls[w].resistance = sum[w];
+}
+
 void move_walls(World& world) {
   for (Wall& w : world.walls) {
-    place(w, world.time());
+    if (w.motion.motion == WallMotion::servo)
+      push(w, world.time(), world.step > 0 ? world.time_step.dt : 0);
+    else
+      place(w, world.time());
     if (w.present && world.time() >= w.motion.remove_at) {
       w.present = false;
       world.contacts.stale = true;

@@ -1,11 +1,13 @@
-// Walls with prescribed motion.
+// Motion of walls: prescribed as a function of time, or by a servo that keeps a force.
 #pragma once
 
 #include "libdem/world.h"
 
 namespace dem {
 
-// Puts every wall where its motion has it at the world's time, with its velocity; removes walls whose time has come.
+// Puts walls where they are at world.time() and takes away those whose time has come. A servo moves by one step.
 void move_walls(World& world);
+// What the bodies in touch with each servo wall oppose to its speed, after the forces have been summed.
+void sum_resistance(World& world);
 
 }  // namespace dem

@@ -45,6 +45,9 @@ struct Wall {
   Vec3d list_position{};  // at the last rebuild of the list
   Quatd list_orientation{};
   Vec3d force{}, torque{};  // of the particles on the wall, this step: N, N m about its origin
+  Vec3d push{};             // servo: unit, along which it pushes
+  double target = 0;        // servo: N
+  double resistance = 0;    // servo: N s/m, of the bodies that it last touched; see walls.cpp
 };
 
 struct Counters {

@@ -28,7 +28,8 @@ Json shapes_json() {
     for (const std::string& word : key->choices) {
       const bool same = word == shapes::name_of(kind);
       const bool solid = kind == shapes::Kind::polyhedron && word != "sphere" && word != "ellipsoid";
-      if (same || (!wall && solid)) words.push_back(word);
+      const bool generated = kind == shapes::Kind::mesh && word != "plane";
+      if (same || (!wall && solid) || generated) words.push_back(word);
     }
     out.push_back({{"name", shapes::name_of(kind)}, {"use", wall ? "wall" : "body"}, {"scene_kinds", words}});
   }

@@ -56,7 +56,7 @@ Json value_schema(const Key& key, const std::string& path, bool complete) {
     case KeyType::file:
       return text_schema(key);
     case KeyType::texts:
-      return list_of({{"type", "string"}, {"minLength", 1}}, 1);
+      return key.choices.empty() ? list_of({{"type", "string"}, {"minLength", 1}}, 1) : list_of(text_schema(key), 1);
     case KeyType::boolean:
       return {{"type", "boolean"}};
     case KeyType::integer:
@@ -73,6 +73,8 @@ Json value_schema(const Key& key, const std::string& path, bool complete) {
       return list_of(list_of(number, 3, 3), 1);
     case KeyType::planes:
       return list_of(list_of(number, 4, 4), 1);
+    case KeyType::pairs:
+      return list_of(list_of(number, 2, 2), 1);
     case KeyType::triangles:
       return list_of(list_of(number_schema(key, "integer"), 3, 3), 1);
     case KeyType::number_or_range:
@@ -118,7 +120,11 @@ void add_conditions(Json& out, const Section& section) {
     if (!by_default) test["required"] = {selector};
     Json needed = Json::array(), refused = Json::object();
     for (const Key* key : keys) {
-      if (key->required) needed.push_back(key->name);
+      if (key->required && key->needing.empty()) needed.push_back(key->name);
+      if (!key->needing.empty())
+        conditions.push_back(
+            {{"if", {{"properties", {{selector, {{"enum", key->needing}}}}}, {"required", {selector}}}},
+             {"then", {{"required", {key->name}}}}});
       refused[key->name] = false;
     }
     Json condition{{"if", test}};

@@ -38,7 +38,7 @@ class Reader {
       const Node::Entry* entry = node.find(key.name);
       if (entry)
         present(section, key, *entry, node, join(path, key.name), spec);
-      else if (key.required && applies(section, key, spec))
+      else if (needed(section, key, spec))
         missing(key, node, path);
     }
     for (const Node::Entry& entry : node.entries)

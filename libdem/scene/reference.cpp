@@ -110,7 +110,8 @@ std::string explain(std::string_view address) {
     out += fmt::format("  applies  where {} = {}\n", key.selector, fmt::join(key.selected, ", "));
   const std::string standard = default_of(f, path);
   if (key.required)
-    out += "  required\n";
+    out += key.needing.empty() ? "  required\n"
+                               : fmt::format("  required where {} = {}\n", key.selector, fmt::join(key.needing, ", "));
   else if (!standard.empty())
     out += fmt::format("  default  {}\n", standard);
   if (key.section) {

@@ -29,7 +29,12 @@ class PlanarRules {
     components("world", 0, "gravity", {2});
     for (std::size_t i = 0; i < scene_.walls.size(); ++i) {
       for (const char* key : {"point", "normal", "velocity", "centre", "amplitude"}) components("wall", i, key, {2});
-      components("wall", i, "axis", {0, 1});
+      if (scene_.walls[i].motion == WallMotion::servo)
+        components("wall", i, "axis", {2});
+      else
+        components("wall", i, "axis", {0, 1});
+      for (const auto& row : scene_.walls[i].displacements)
+        if (row[3] != 0) wrong("wall", i, "displacements", fmt::format("z must be 0: {}", planar_note));
     }
     for (std::size_t i = 0; i < scene_.fills.size(); ++i)
       for (const char* key : {"lower", "upper", "velocity"}) components("fill", i, key, {2});

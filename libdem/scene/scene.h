@@ -101,22 +101,41 @@ struct ShapeSpec {
   Where where;
 };
 
-enum class WallMotion { fixed, translation, rotation, oscillation };
+enum class WallMotion { fixed, translation, rotation, oscillation, table, servo };
 
+// Kinds: plane; mesh from a file or from vertices and triangles; or a mesh made of a few numbers
+// (shapes/mesh_generate.h): panel, box, cylinder, cone, drum, die, v_shell. A generated mesh stands in world
+// coordinates: its origin is theirs.
 struct WallSpec {
-  std::string name, kind;  // plane | mesh | line
+  std::string name, kind;
   std::string material;
   Vec3d point{}, normal{0, 0, 1};  // plane, line
   std::string file;                // mesh, resolved path; or vertices + triangles
   double scale = 1;
   std::vector<Vec3d> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  Vec3d corner{}, side_1{}, side_2{};      // panel: m
+  Vec3d lower{}, upper{};                  // box, die: m
+  std::vector<std::string> open;           // faces left out
+  Vec3d base{}, top{};                     // cylinder, cone, drum: centres of the ends; v_shell: base is its centre, m
+  double radius = 0;                       // cylinder, drum, v_shell: m
+  double base_radius = 0, top_radius = 0;  // cone: m
+  double flange = 0;                       // die: m
+  double angle = 0, length = 0;            // v_shell: rad, m
+  std::uint32_t segments = 48;             // facets around
   WallMotion motion = WallMotion::fixed;
-  Vec3d velocity{};                 // translation: m/s
-  Vec3d axis{0, 0, 1}, centre{};    // rotation
-  double rate = 0;                  // rotation: rad/s
-  Vec3d amplitude{};                // oscillation: x = amplitude sin(2π f t + phase), m
-  double frequency = 0, phase = 0;  // Hz, rad
+  Vec3d velocity{};                                  // translation: m/s
+  Vec3d axis{}, centre{};                            // rotation, table; servo: direction of the push
+  double rate = 0;                                   // rotation: rad/s
+  Vec3d amplitude{};                                 // oscillation: x = amplitude sin(2π f t + phase), m
+  double frequency = 0, phase = 0;                   // Hz, rad
+  std::vector<std::array<double, 4>> displacements;  // table: time since `start` (s), displacement (m)
+  std::vector<std::array<double, 2>> turns;          // table: time since `start` (s), angle about the axis (rad)
+  std::string table_file;                            // table: CSV in place of both
+  double target_force = 0, target_pressure = 0;      // servo: N; Pa
+  double area = 0;                                   // servo: m², 0 = of the mesh, seen along the axis
+  double speed_limit = 0;                            // servo: m/s
+  double gain = 1;                                   // servo
   double start = 0, stop = std::numeric_limits<double>::infinity();  // s, when it moves
   double remove_at = std::numeric_limits<double>::infinity();        // s: the wall disappears (a gate)
   Where where;

@@ -2,6 +2,7 @@
 #include "libdem/scene/schema.h"
 
 #include "libdem/scene/schema_bind.h"
+#include "libdem/scene/schema_tables.h"
 
 namespace dem {
 
@@ -11,6 +12,7 @@ using bind::heading;
 using bind::table;
 using bind::tables;
 using bind::value;
+using bind::word;
 
 template <auto Number, auto IsAuto>
 Key number_or_auto(std::string name, std::string unit, std::string sentence) {
@@ -59,25 +61,6 @@ Key uncertified_share() {
       "Share of contact-steps that may be uncertified or not converged before the run stops.");
   key.set = [](void* spec, const Node& n) { bind::from_node(n, static_cast<Scene*>(spec)->run.max_uncertified_share); };
   key.get = [](const void* spec) { return Node::of(static_cast<const Scene*>(spec)->run.max_uncertified_share); };
-  return key;
-}
-
-template <auto M>
-Key word(std::string name, std::string sentence, std::vector<std::string> words) {
-  using Split = decltype(bind::split(M));
-  using Spec = typename Split::Class;
-  static const std::vector<std::string> names = words;  // one instance per key: M is part of the template
-  Key key;
-  key.name = std::move(name);
-  key.sentence = std::move(sentence);
-  key.choices = std::move(words);
-  key.set = [](void* spec, const Node& n) {
-    for (std::size_t i = 0; i < names.size(); ++i)
-      if (names[i] == n.text) static_cast<Spec*>(spec)->*M = static_cast<typename Split::Type>(i);
-  };
-  key.get = [](const void* spec) {
-    return Node::of(names[static_cast<std::size_t>(static_cast<const Spec*>(spec)->*M)]);
-  };
   return key;
 }
 
@@ -227,43 +210,6 @@ std::vector<Key> shape_keys() {
           "diameter", "m", "Rescales the body to the volume of a sphere of this diameter; needed by shipped shapes.")
           .above(0)
           .when("kind", {"polyhedron"}),
-  };
-}
-
-std::vector<Key> wall_keys() {
-  const std::vector<std::string> moving{"translation", "rotation", "oscillation"};
-  return {
-      value<&WallSpec::name>("name", "", "Name in messages and output.").own_name(),
-      value<&WallSpec::kind>("kind", "", "Infinite plane or triangle mesh; in a 2-D scene an infinite line.")
-          .one_of({"plane", "mesh", "line"})
-          .must(),
-      value<&WallSpec::material>("material", "", "Its material.").refers("material").must(),
-      value<&WallSpec::point>("point", "m", "A point on the plane or line.").when("kind", {"plane", "line"}).must(),
-      value<&WallSpec::normal>("normal", "", "Out of the wall, towards the bodies; any length.")
-          .when("kind", {"plane", "line"})
-          .must(),
-      value<&WallSpec::file>("file", "", "OFF, OBJ or STL file; give this, or vertices and triangles.")
-          .as_file()
-          .when("kind", {"mesh"}),
-      value<&WallSpec::scale>("scale", "", "Factor on the coordinates of the mesh.").above(0).when("kind", {"mesh"}),
-      value<&WallSpec::vertices>("vertices", "m", "Vertices of the mesh.").when("kind", {"mesh"}),
-      value<&WallSpec::triangles>("triangles", "", "Triangles as indices of vertices, from 0.")
-          .from(0)
-          .to(4294967295.0)
-          .when("kind", {"mesh"}),
-      word<&WallSpec::motion>("motion", "Prescribed motion.", {"fixed", "translation", "rotation", "oscillation"}),
-      value<&WallSpec::velocity>("velocity", "m/s", "Velocity.").when("motion", {"translation"}).must(),
-      value<&WallSpec::axis>("axis", "", "Direction of the axis; any length.").when("motion", {"rotation"}).must(),
-      value<&WallSpec::centre>("centre", "m", "A point on the axis.").when("motion", {"rotation"}).must(),
-      value<&WallSpec::rate>("rate", "rad/s", "Angular velocity about the axis.").when("motion", {"rotation"}).must(),
-      value<&WallSpec::amplitude>("amplitude", "m", "Displacement = amplitude · sin(2π · frequency · t + phase).")
-          .when("motion", {"oscillation"})
-          .must(),
-      value<&WallSpec::frequency>("frequency", "Hz", "Frequency.").above(0).when("motion", {"oscillation"}).must(),
-      value<&WallSpec::phase>("phase", "rad", "Phase.").when("motion", {"oscillation"}),
-      value<&WallSpec::start>("start", "s", "When the motion begins.").from(0).when("motion", moving),
-      value<&WallSpec::stop>("stop", "s", "When the motion ends.").above(0).when("motion", moving),
-      value<&WallSpec::remove_at>("remove_at", "s", "When the wall is taken away (a gate).").from(0),
   };
 }
 

@@ -26,6 +26,7 @@ enum class KeyType {
   vectors,          // list of [x, y, z]
   planes,           // list of [nx, ny, nz, offset]
   triangles,        // list of [i, j, k]
+  pairs,            // list of [x, y]
   number_or_range,  // a number, or [min, max]
   table,
   tables,  // an array of tables
@@ -51,8 +52,9 @@ struct Key {
   std::string unit;  // "" = a pure number or no number
   std::string sentence;
   Range range;                        // of a number, or of every component
-  bool required = false;              // where it applies
-  std::vector<std::string> choices;   // text: the only words allowed
+  bool required = false;              // where it applies …
+  std::vector<std::string> needing;   // … and its selector has one of these values; empty: any
+  std::vector<std::string> choices;   // text, texts: the only words allowed
   std::string selector;               // the key applies only when this key of the same table …
   std::vector<std::string> selected;  // … has one of these values
   std::string refers_to;              // text: the name of an entry of this array of tables
@@ -72,6 +74,7 @@ struct Key {
   Key& from(double v) { return range.lower = v, *this; }
   Key& to(double v) { return range.upper = v, *this; }
   Key& must() { return required = true, *this; }
+  Key& must_for(std::vector<std::string> values) { return needing = std::move(values), must(); }
   Key& one_of(std::vector<std::string> words) { return choices = std::move(words), *this; }
   Key& when(std::string key, std::vector<std::string> values) {
     return selector = std::move(key), selected = std::move(values), *this;
@@ -105,6 +108,8 @@ struct Fault {
 Fault fault(const Key& key, const std::string& path, const Node& value);
 // Whether the key has a meaning for this struct: its selector has one of the values that the key asks for.
 bool applies(const Section& section, const Key& key, const void* spec);
+// Whether this struct cannot do without the key.
+bool needed(const Section& section, const Key& key, const void* spec);
 
 // A key of the whole schema by its path ("material.young", "fill.items.scale"), or null; and all paths in order.
 const Key* find_key(std::string_view path);

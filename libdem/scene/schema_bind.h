@@ -81,6 +81,10 @@ constexpr KeyType type_of() {
     return KeyType::planes;
   else if constexpr (std::is_same_v<T, std::vector<std::array<std::uint32_t, 3>>>)
     return KeyType::triangles;
+  else if constexpr (std::is_same_v<T, std::vector<std::array<double, 2>>>)
+    return KeyType::pairs;
+  else if constexpr (std::is_same_v<T, std::vector<std::string>>)
+    return KeyType::texts;
   else
     return KeyType::text;
 }
@@ -103,6 +107,26 @@ Key value(std::string name, std::string unit, std::string sentence) {
   key.type = type_of<typename Split::Type>();
   key.set = [](void* spec, const Node& n) { from_node(n, static_cast<typename Split::Class*>(spec)->*M); };
   key.get = [](const void* spec) { return to_node(static_cast<const typename Split::Class*>(spec)->*M); };
+  return key;
+}
+
+// One of a list of words: the values of an enumeration, in its order.
+template <auto M>
+Key word(std::string name, std::string sentence, std::vector<std::string> words) {
+  using Split = decltype(split(M));
+  using Spec = typename Split::Class;
+  static const std::vector<std::string> names = words;  // one instance per key: M is part of the template
+  Key key;
+  key.name = std::move(name);
+  key.sentence = std::move(sentence);
+  key.choices = std::move(words);
+  key.set = [](void* spec, const Node& n) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (names[i] == n.text) static_cast<Spec*>(spec)->*M = static_cast<typename Split::Type>(i);
+  };
+  key.get = [](const void* spec) {
+    return Node::of(names[static_cast<std::size_t>(static_cast<const Spec*>(spec)->*M)]);
+  };
   return key;
 }
 

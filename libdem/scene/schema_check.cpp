@@ -35,6 +35,8 @@ const char* name_of(KeyType type) {
       return "a list of lists of 4 numbers";
     case KeyType::triangles:
       return "a list of lists of 3 integers";
+    case KeyType::pairs:
+      return "a list of lists of 2 numbers";
     case KeyType::number_or_range:
       return "a number or [min, max]";
     case KeyType::table:
@@ -70,6 +72,13 @@ bool applies(const Section& section, const Key& key, const void* spec) {
   if (key.selector.empty()) return true;
   const std::string value = section.find(key.selector)->get(spec).text;
   return std::find(key.selected.begin(), key.selected.end(), value) != key.selected.end();
+}
+
+bool needed(const Section& section, const Key& key, const void* spec) {
+  if (!key.required || !applies(section, key, spec)) return false;
+  if (key.needing.empty()) return true;
+  const std::string value = section.find(key.selector)->get(spec).text;
+  return std::find(key.needing.begin(), key.needing.end(), value) != key.needing.end();
 }
 
 namespace {
@@ -137,6 +146,8 @@ Fault texts_fault(const Key& key, const Node& n) {
     if (item.kind != Node::Kind::text)
       return {fmt::format("needs {}, found {}", name_of(key.type), found(item)), &item};
     if (item.text.empty()) return {"has an empty name", &item};
+    if (!key.choices.empty() && std::find(key.choices.begin(), key.choices.end(), item.text) == key.choices.end())
+      return {fmt::format("allowed {}", fmt::join(key.choices, ", ")), &item};
   }
   return {};
 }
@@ -186,6 +197,8 @@ Fault fault(const Key& key, const std::string& path, const Node& n) {
       return lists_fault(key, path, n, 4, false);
     case KeyType::triangles:
       return lists_fault(key, path, n, 3, true);
+    case KeyType::pairs:
+      return lists_fault(key, path, n, 2, false);
     case KeyType::number_or_range:
       return range_fault(key, path, n);
     case KeyType::table:

@@ -173,4 +173,18 @@ inline Scene every_shape(std::uint64_t count) {
   return s;
 }
 
+// The same tray with drivers: the shaker pushes with a kept force, the west side follows a table, back and forth.
+inline Scene every_shape_driven(std::uint64_t count) {
+  Scene s = every_shape(count);
+  WallSpec& press = s.walls[3];
+  press.motion = WallMotion::servo;
+  press.axis = {0, -1, 0};
+  press.target_force = 16;
+  press.speed_limit = 0.5;
+  WallSpec& west = s.walls[1];
+  west.motion = WallMotion::table;
+  west.displacements = {{0.001, 0, 0, 0}, {0.006, 0.002, 0, 0}, {0.0125, 0.001, 0.001, 0}, {0.03, 0.004, 0, 0}};
+  return s;
+}
+
 }  // namespace dem::scenes

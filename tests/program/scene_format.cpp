@@ -86,6 +86,30 @@ motion = "rotation"
 axis = [0,0,1]
 centre = [0,0,0]
 rate = 3
+[[wall]]
+name = "press"
+kind = "box"
+material = "b"
+lower = [-9, -9, 7]
+upper = [9, 9, 8]
+open = ["+z", "-x"]
+motion = "servo"
+axis = [0,0,-1]
+target_pressure = 0.1
+speed_limit = 0.01
+[[wall]]
+name = "arm"
+kind = "cone"
+material = "b"
+base = [9, 9, 7]
+top = [9, 9, 8]
+base_radius = 0
+top_radius = 0.5
+segments = 12
+motion = "table"
+turns = [[0, 0], [1, 0.30000000000000004]]
+displacements = [[0, 0, 0, 0], [1, 0, 0, 0.1]]
+axis = [0,0,1]
 [[fill]]
 lower = [0,0,1]
 upper = [2,2,5]
@@ -135,6 +159,12 @@ TEST(SceneFormat, WrittenSceneReadsBackTheSame) {
   EXPECT_EQ(second.walls[0].motion, WallMotion::oscillation);
   EXPECT_TRUE(std::isinf(second.walls[0].stop));
   EXPECT_EQ(second.walls[0].remove_at, 0.05);
+  EXPECT_EQ(second.walls[2].open, (std::vector<std::string>{"+z", "-x"}));
+  EXPECT_EQ(second.walls[2].target_pressure, 0.1);
+  EXPECT_EQ(second.walls[3].turns, first.walls[3].turns);
+  EXPECT_EQ(second.walls[3].turns[1][1], 0.30000000000000004);
+  EXPECT_EQ(second.walls[3].displacements[1][3], 0.1);
+  EXPECT_EQ(second.walls[3].segments, 12u);
   EXPECT_EQ(second.fills[0].items[0].scale_max, 0.1);
   EXPECT_EQ(second.fills[0].items[1].scale_max, 1.1);
   const Quatd &p = first.bodies[0].orientation, &q = second.bodies[0].orientation;

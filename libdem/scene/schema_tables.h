@@ -1,0 +1,12 @@
+// The keys of the tables of a scene that have a file of their own.
+#pragma once
+
+#include <vector>
+
+#include "libdem/scene/schema.h"
+
+namespace dem {
+
+std::vector<Key> wall_keys();  // [[wall]]
+
+}  // namespace dem
