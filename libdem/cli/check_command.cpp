@@ -9,6 +9,7 @@
 #include "libdem/cli/commands.h"
 #include "libdem/cli/progress.h"
 #include "libdem/render/render.h"
+#include "libdem/scene/schema.h"
 
 namespace dem::cli {
 
@@ -59,10 +60,10 @@ void print_pairs(const World& world) {
 
 void print_walls(const World& world) {
   head(fmt::format("walls: {}", world.walls.size()));
+  const std::vector<std::string>& motions = find_key("wall.motion")->choices;
   for (const Wall& w : world.walls) {
-    const char* motion[] = {"fixed", "translation", "rotation", "oscillation"};
-    std::string text =
-        fmt::format("{}, {}", shapes::name_of(w.kind), motion[static_cast<std::size_t>(w.motion.motion)]);
+    std::string text = fmt::format("{}, {}", w.motion.kind, motions[static_cast<std::size_t>(w.motion.motion)]);
+    if (w.motion.motion == WallMotion::servo) text += fmt::format(" that keeps {:.4g} N", w.target);
     if (w.mesh) text += fmt::format(", {} triangles in {} facets", w.mesh->triangles.size() / 3, w.mesh->facets.size());
     if (std::isfinite(w.motion.remove_at)) text += fmt::format(", removed at {:.4g} s", w.motion.remove_at);
     line(w.name, text);
