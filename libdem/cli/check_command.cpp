@@ -9,7 +9,6 @@
 #include "libdem/cli/commands.h"
 #include "libdem/cli/progress.h"
 #include "libdem/render/render.h"
-#include "libdem/scene/schema.h"
 
 namespace dem::cli {
 
@@ -60,7 +59,7 @@ void print_pairs(const World& world) {
 
 void print_walls(const World& world) {
   head(fmt::format("walls: {}", world.walls.size()));
-  const std::vector<std::string>& motions = find_key("wall.motion")->choices;
+  const char* const motions[] = {"fixed", "translation", "rotation", "oscillation", "table", "servo"};
   for (const Wall& w : world.walls) {
     std::string text = fmt::format("{}, {}", w.motion.kind, motions[static_cast<std::size_t>(w.motion.motion)]);
     if (w.motion.motion == WallMotion::servo) text += fmt::format(" that keeps {:.4g} N", w.target);
