@@ -121,7 +121,7 @@ std::vector<Key> motion_keys() {
 std::vector<Key> wall_keys() {
   std::vector<Key> keys{
       value<&WallSpec::name>("name", "", "Name in messages and output.").own_name(),
-      value<&WallSpec::kind>("kind", "", "Infinite plane, triangle mesh, or a mesh made of a few numbers.")
+      value<&WallSpec::kind>("kind", "", "Infinite plane (2-D: line), triangle mesh, or a mesh made of a few numbers.")
           .one_of({"plane", "line", "mesh", "panel", "box", "cylinder", "cone", "drum", "die", "v_shell"})
           .must(),
       value<&WallSpec::material>("material", "", "Its material.").refers("material").must(),
