@@ -165,6 +165,10 @@ World build_world(const Scene& scene) {
   mix_materials(world);
   for (const ShapeSpec& s : scene.shapes) world.shapes.push_back(make_shape(s, scene));
   for (const WallSpec& w : scene.walls) world.walls.push_back(make_wall(w, material_index(world, w.material, w.where)));
+  if (scene.dimension == 2)
+    for (const Wall& w : world.walls)
+      for (const auto& row : w.motion.displacements)
+        if (row[3] != 0) input_error(w.motion.where, "wall \"" + w.name + "\" leaves the plane z = 0 of a 2-D scene");
   std::vector<const Where*> where;
   const auto mark = [&](const Where& w) { where.resize(world.particles.count(), &w); };
   for (const BodySpec& b : scene.bodies) {
