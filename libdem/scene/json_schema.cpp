@@ -50,7 +50,7 @@ Json text_schema(const Key& key) {
 Json table_schema(const Section& section, const std::string& path, bool complete);
 
 Json value_schema(const Key& key, const std::string& path, bool complete) {
-  const Json number = number_schema(key, "number");
+  Json number = number_schema(key, "number");
   switch (key.type) {
     case KeyType::text:
     case KeyType::file:
