@@ -232,7 +232,7 @@ class ForcePass {
     const ShapeEntry& e = world_.shapes[p_.shape[i]];
     contact::Body b;
     b.kind = e.kind;
-    b.geometry = e.polyhedron.get();
+    b.geometry = e.geometry();
     b.size = p_.size[i];
     if (!is_round(e.kind)) b.rotation = shapes::rotation_matrix(p_.orientation[i]);
     return b;

@@ -5,6 +5,7 @@
 
 #include "libdem/build.h"
 #include "shapes/geometry.h"
+#include "shapes/polygon_build.h"
 #include "shapes/polyhedron_build.h"
 
 namespace dem {
@@ -52,6 +53,49 @@ void make_planar(const Scene& scene, double a, double b, ShapeEntry& e) {
   e.inertia = {moment, moment, moment};
 }
 
+// What pictures show of a polygon: a prism, thin enough not to hide what lies behind it. A surface to draw only, made
+// of vertices and faces.
+shapes::Polyhedron prism_of(const shapes::Polygon& p) {
+  shapes::Polyhedron solid;
+  const auto n = static_cast<std::uint32_t>(p.vertices.size());
+  const double half = 0.15 * p.circumradius;
+  for (const double z : {-half, half})
+    for (const Vec3d& v : p.vertices) solid.vertices.push_back({v.x, v.y, z});
+  const auto add = [&](const Vec3d& normal, double offset, const std::vector<std::uint32_t>& loop) {
+    solid.faces.push_back({normal, offset, static_cast<std::uint32_t>(solid.face_vertices.size()), 0});
+    solid.face_vertices.insert(solid.face_vertices.end(), loop.begin(), loop.end());
+    solid.faces.back().count = static_cast<std::uint32_t>(solid.face_vertices.size()) - solid.faces.back().first;
+  };
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    add(p.normals[i], p.offsets[i], {i, j, n + j, n + i});
+  }
+  std::vector<std::uint32_t> top(n), bottom(n);
+  for (std::uint32_t i = 0; i < n; ++i) top[i] = n + i, bottom[i] = n - 1 - i;
+  add({0, 0, 1}, half, top);
+  add({0, 0, -1}, half, bottom);
+  solid.circumradius = std::hypot(p.circumradius, half);
+  return solid;
+}
+
+// A polygon of the plane: a prism of the scene's thickness h, m = ρ A h, I = ρ h ∫|x|² dA about the centroid.
+void make_polygon(const ShapeSpec& s, const Scene& scene, ShapeEntry& e) {
+  shapes::Polygon p = shapes::centred(s.kind == "polygon" ? shapes::polygon_from_outline(s.vertices)
+                                                          : shapes::make_regular_polygon(s.sides, s.circumradius));
+  if (!p.convex) throw shapes::Error("the polygon is not convex; allowed: convex polygons");
+  e.kind = shapes::Kind::polygon;
+  e.size = {1, 1, 1};
+  e.circumradius = p.circumradius;
+  e.inscribed_radius = p.inscribed_radius;
+  e.equivalent_radius = std::sqrt(p.area / std::numbers::pi);
+  e.volume = p.area * scene.thickness;
+  e.mass_power = 2;
+  const double moment = p.second_moment * scene.thickness;
+  e.inertia = {moment, moment, moment};
+  e.prism = std::make_shared<const shapes::Polyhedron>(prism_of(p));
+  e.polygon = std::make_shared<const shapes::Polygon>(std::move(p));
+}
+
 }  // namespace
 
 ShapeEntry make_shape(const ShapeSpec& s, const Scene& scene) {
@@ -72,6 +116,8 @@ ShapeEntry make_shape(const ShapeSpec& s, const Scene& scene) {
     } else if (s.kind == "ellipse") {
       e.kind = shapes::Kind::ellipse;
       make_planar(scene, s.semi_axis_a, s.semi_axis_b, e);
+    } else if (s.kind == "polygon" || s.kind == "regular_polygon") {
+      make_polygon(s, scene, e);
     } else if (s.kind == "ellipsoid") {
       const shapes::Ellipsoid ellipsoid{s.semi_axes};
       const auto m = shapes::mass_properties(ellipsoid);

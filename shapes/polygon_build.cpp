@@ -143,4 +143,11 @@ Polygon make_regular_polygon(int sides, double circumradius) {
   return polygon_from_outline(v);
 }
 
+Polygon centred(const Polygon& p) {
+  if (max_abs(p.centroid) <= convex::rounding * convex::largest_coordinate(p.vertices)) return p;
+  std::vector<Vec3d> v;
+  for (const Vec3d& x : p.vertices) v.push_back(x - p.centroid);
+  return polygon_from_outline(v);
+}
+
 }  // namespace shapes

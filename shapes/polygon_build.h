@@ -18,4 +18,7 @@ Polygon polygon_hull(std::span<const Vec3d> points);
 // Equal sides, first corner on +x.
 Polygon make_regular_polygon(int sides, double circumradius);
 
+// The same polygon about its centroid; unchanged when that is at the origin to round-off.
+Polygon centred(const Polygon& p);
+
 }  // namespace shapes

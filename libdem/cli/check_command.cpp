@@ -33,6 +33,7 @@ void print_bodies(const World& world) {
     std::string kind = shapes::name_of(s.kind);
     if (s.polyhedron)
       kind += fmt::format(", {} vertices, {} faces", s.polyhedron->vertices.size(), s.polyhedron->faces.size());
+    if (s.polygon) kind += fmt::format(", {} vertices", s.polygon->vertices.size());
     line(s.name, fmt::format("{} of {} ({})", count, world.scene.materials[group.second].name, kind));
   }
   line("size", fmt::format("volume-equivalent radius {:.4g} to {:.4g} m", smallest, largest));

@@ -17,6 +17,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// The kind that a word of the schema stands for: its own name, or what it generates.
+shapes::Kind kind_of_word(const std::string& word, bool wall) {
+  for (std::size_t i = 0; i < shapes::kind_count; ++i)
+    if (word == shapes::name_of(static_cast<shapes::Kind>(i))) return static_cast<shapes::Kind>(i);
+  if (wall) return shapes::Kind::mesh;
+  return word == "regular_polygon" ? shapes::Kind::polygon : shapes::Kind::polyhedron;
+}
+
 // What each kind of scene becomes: the schema's words for bodies and walls.
 Json shapes_json() {
   Json out = Json::array();
@@ -25,12 +33,8 @@ Json shapes_json() {
     const bool wall = shapes::is_wall(kind);
     Json words = Json::array();
     const Key* key = find_key(wall ? "wall.kind" : "shape.kind");
-    for (const std::string& word : key->choices) {
-      const bool same = word == shapes::name_of(kind);
-      const bool solid = kind == shapes::Kind::polyhedron && word != "sphere" && word != "ellipsoid";
-      const bool generated = kind == shapes::Kind::mesh && word != "plane";
-      if (same || (!wall && solid) || generated) words.push_back(word);
-    }
+    for (const std::string& word : key->choices)
+      if (kind_of_word(word, wall) == kind) words.push_back(word);
     out.push_back({{"name", shapes::name_of(kind)}, {"use", wall ? "wall" : "body"}, {"scene_kinds", words}});
   }
   return out;

@@ -17,8 +17,9 @@ std::array<double, 3> list(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
 std::int32_t index32(std::size_t i) { return static_cast<std::int32_t>(i); }
 
-bool is_polyhedron(const World& world, std::size_t i) {
-  return world.shapes[world.particles.shape[i]].polyhedron != nullptr;
+// Drawn by its faces: a polyhedron, or a polygon as one cell.
+bool is_faceted(const World& world, std::size_t i) {
+  return world.shapes[world.particles.shape[i]].geometry() != nullptr;
 }
 
 }  // namespace
@@ -31,7 +32,7 @@ bool write_rounds(const std::string& path, const World& world) {
   std::vector<float> radius, velocity, spin, quaternion;
   std::vector<double> tensor;
   for (const std::uint32_t i : order_by_id(world)) {
-    if (is_polyhedron(world, i)) continue;
+    if (is_faceted(world, i)) continue;
     const Motion& m = p.motion[i];
     const Quatd& q = p.orientation[i];
     connectivity.push_back(index32(points.size()));
@@ -71,19 +72,28 @@ bool write_polyhedra(const std::string& path, const World& world) {
   std::vector<std::int32_t> shape, material, connectivity, ends;
   std::vector<float> speed;
   for (const std::uint32_t i : order_by_id(world)) {
-    if (!is_polyhedron(world, i)) continue;
-    const shapes::Polyhedron& body = *world.shapes[p.shape[i]].polyhedron;
+    if (!is_faceted(world, i)) continue;
+    const ShapeEntry& body = world.shapes[p.shape[i]];
     const Mat3d r = rotation_matrix(p.orientation[i]);
     const std::size_t base = points.size();
-    for (const Vec3d& v : body.vertices) points.push_back(p.motion[i].position + r * scaled(p.size[i], v));
-    for (const auto& face : body.faces) {
-      for (std::uint32_t k = 0; k < face.count; ++k)
-        connectivity.push_back(index32(base + body.face_vertices[face.first + k]));
+    for (const Vec3d& v : body.polygon ? body.polygon->vertices : body.polyhedron->vertices)
+      points.push_back(p.motion[i].position + r * scaled(p.size[i], v));
+    const auto end_cell = [&] {
       ends.push_back(index32(connectivity.size()));
       particle.push_back(static_cast<std::int64_t>(p.id[i]));
       shape.push_back(index32(p.shape[i]));
       material.push_back(index32(p.material[i]));
       speed.push_back(static_cast<float>(norm(p.motion[i].velocity)));
+    };
+    if (body.polygon) {
+      for (std::size_t k = base; k < points.size(); ++k) connectivity.push_back(index32(k));
+      end_cell();
+      continue;
+    }
+    for (const auto& face : body.polyhedron->faces) {
+      for (std::uint32_t k = 0; k < face.count; ++k)
+        connectivity.push_back(index32(base + body.polyhedron->face_vertices[face.first + k]));
+      end_cell();
     }
   }
   if (points.empty()) return false;

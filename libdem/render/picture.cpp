@@ -66,8 +66,8 @@ Picture picture_of(const World& world, const View& view) {
                          : by == "size"     ? 2 * p.motion[i].equivalent_radius
                          : by == "material" ? p.material[i]
                                             : load[i];
-    picture.bodies.push_back(
-        {shape.kind, shape.polyhedron.get(), p.size[i], p.motion[i].position, p.orientation[i], value});
+    const shapes::Polyhedron* solid = shape.prism ? shape.prism.get() : shape.polyhedron.get();
+    picture.bodies.push_back({shape.kind, solid, p.size[i], p.motion[i].position, p.orientation[i], value});
   }
   return picture;
 }

@@ -13,7 +13,7 @@ namespace dem::render {
 
 struct Body {  // what a picture needs of a particle; read from a World or from a frame of the record
   shapes::Kind kind;
-  const shapes::Polyhedron* polyhedron;  // null: round
+  const shapes::Polyhedron* polyhedron;  // of a polygon: a prism; null: round
   Vec3d size;                            // as Particles::size
   Vec3d position;
   Quatd orientation;

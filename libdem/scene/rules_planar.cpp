@@ -12,7 +12,9 @@ namespace {
 
 constexpr const char* planar_note = "world.dimension = 2 keeps everything in the plane z = 0";
 
-bool is_planar_kind(const std::string& kind) { return kind == "disc" || kind == "ellipse" || kind == "line"; }
+bool is_planar_kind(const std::string& kind) {
+  return kind == "disc" || kind == "ellipse" || kind == "polygon" || kind == "regular_polygon" || kind == "line";
+}
 
 class PlanarRules {
  public:
@@ -21,6 +23,7 @@ class PlanarRules {
 
   void check() {
     for (std::size_t i = 0; i < scene_.shapes.size(); ++i) kind("shape", i, scene_.shapes[i].kind);
+    for (std::size_t i = 0; i < scene_.shapes.size(); ++i) outline(i);
     for (std::size_t i = 0; i < scene_.walls.size(); ++i) kind("wall", i, scene_.walls[i].kind);
     mass();
     if (!planar_) return;
@@ -65,8 +68,18 @@ class PlanarRules {
     if (is_planar_kind(kind) == planar_) return;
     const bool shape = std::string(table) == "shape";
     wrong(table, i, "kind",
-          planar_ ? fmt::format("a 2-D scene allows {}", shape ? "disc, ellipse" : "line")
+          planar_ ? fmt::format("a 2-D scene allows {}", shape ? "disc, ellipse, polygon, regular_polygon" : "line")
                   : "is for 2-D scenes: set world.dimension = 2");
+  }
+
+  void outline(std::size_t i) {
+    const ShapeSpec& s = scene_.shapes[i];
+    if (s.kind != "polygon") return;
+    if (s.vertices.size() < 3)
+      return wrong("shape", i, "vertices", fmt::format("a polygon needs at least 3, found {}", s.vertices.size()));
+    for (std::size_t k = 0; k < s.vertices.size(); ++k)
+      if (s.vertices[k].z != 0)
+        return wrong("shape", i, "vertices", fmt::format("z of vertex {} must be 0: {}", k, planar_note));
   }
 
   void mass() {

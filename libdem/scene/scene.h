@@ -85,8 +85,9 @@ struct LawSpec {
 };
 
 // sphere: radius. ellipsoid: semi_axes. box: extents. prism: sides, circumradius, height. tetrahedron … icosahedron:
-// circumradius. In the plane: disc: radius; ellipse: semi_axis_a, semi_axis_b. polyhedron: vertices, or half_spaces, or
-// file (OFF, OBJ, STL); `diameter` > 0 rescales a polyhedron so that its volume-equivalent sphere has this diameter.
+// circumradius. In the plane: disc: radius; ellipse: semi_axis_a, semi_axis_b; polygon: vertices in order;
+// regular_polygon: sides, circumradius. polyhedron: vertices, or half_spaces, or file (OFF, OBJ, STL); `diameter` > 0
+// rescales a polyhedron so that its volume-equivalent sphere has this diameter.
 struct ShapeSpec {
   std::string name, kind;
   double radius = 0;

@@ -164,10 +164,11 @@ std::vector<Key> pair_keys() {
 
 std::vector<Key> shape_keys() {
   const std::vector<std::string> platonic{"tetrahedron", "cube", "octahedron", "dodecahedron", "icosahedron"};
-  std::vector<std::string> kinds{"sphere", "ellipsoid", "disc", "ellipse", "box", "prism"};
+  std::vector<std::string> kinds{"sphere",  "ellipsoid",       "disc", "ellipse",
+                                 "polygon", "regular_polygon", "box",  "prism"};
   kinds.insert(kinds.end(), platonic.begin(), platonic.end());
   kinds.push_back("polyhedron");
-  std::vector<std::string> round{"prism"};
+  std::vector<std::string> round{"prism", "regular_polygon"};
   round.insert(round.end(), platonic.begin(), platonic.end());
   return {
       value<&ShapeSpec::name>("name", "", "Name by which bodies refer to it.").own_name(),
@@ -189,16 +190,24 @@ std::vector<Key> shape_keys() {
           .above(0)
           .when("kind", {"box"})
           .must(),
-      value<&ShapeSpec::sides>("sides", "", "Number of side faces.").from(3).to(1000).when("kind", {"prism"}).must(),
-      value<&ShapeSpec::circumradius>("circumradius", "m",
-                                      "Radius of the sphere (prism: of the base's circle) through the vertices.")
+      value<&ShapeSpec::sides>("sides", "", "Number of side faces, of a polygon: of sides.")
+          .from(3)
+          .to(1000)
+          .when("kind", {"prism", "regular_polygon"})
+          .must(),
+      value<&ShapeSpec::circumradius>(
+          "circumradius", "m",
+          "Radius of the sphere (prism: of the base's circle; polygon: of the circle) through the vertices.")
           .above(0)
           .when("kind", round)
           .must(),
       value<&ShapeSpec::height>("height", "m", "Height along z.").above(0).when("kind", {"prism"}).must(),
-      value<&ShapeSpec::vertices>("vertices", "m",
-                                  "Points whose convex hull is the body; give this, half_spaces or file.")
-          .when("kind", {"polyhedron"}),
+      value<&ShapeSpec::vertices>(
+          "vertices", "m",
+          "Polyhedron: points whose convex hull is the body; give this, half_spaces or file. Polygon: its "
+          "corners in order, [x, y, 0]; it is centred on its centroid.")
+          .when("kind", {"polyhedron", "polygon"})
+          .must_for({"polygon"}),
       value<&ShapeSpec::half_spaces>("half_spaces", "m", "Half-spaces n·x <= offset whose intersection is the body.")
           .when("kind", {"polyhedron"}),
       value<&ShapeSpec::file>(

@@ -1,0 +1,110 @@
+// Bad input of two-dimensional scenes: exit code 2, the place, the value, what is allowed; nothing written.
+#include <gtest/gtest.h>
+
+#include "tests/program/program.h"
+
+namespace {
+
+using program::Folder;
+using program::Outcome;
+
+const char* const plane_scene = R"([run]
+steps = 20
+[world]
+dimension = 2
+thickness = 0.01
+gravity = [0, -9.81, 0]
+[law]
+name = "spring_dashpot"
+[[material]]
+name = "stone"
+stiffness = 1e4
+density = 2500
+[[shape]]
+name = "grain"
+kind = "polygon"
+vertices = [[0, 0, 0], [0.02, 0, 0], [0.01, 0.02, 0]]
+[[wall]]
+name = "floor"
+kind = "line"
+material = "stone"
+point = [0, 0, 0]
+normal = [0, 1, 0]
+[[body]]
+shape = "grain"
+material = "stone"
+position = [0, 0.1, 0]
+)";
+
+struct BadInput {
+  const char* name;
+  const char* from;
+  const char* to;
+  std::vector<const char*> message;
+};
+
+void PrintTo(const BadInput& b, std::ostream* out) { *out << b.name; }
+
+#define CORNERS "[[0, 0, 0], [0.02, 0, 0], [0.01, 0.02, 0]]"
+
+const std::vector<BadInput> inputs{
+    {"polygon_of_two", CORNERS, "[[0, 0, 0], [0.02, 0, 0]]", {"scene.toml:16:12", "at least 3, found 2"}},
+    {"polygon_without_corners", "vertices = " CORNERS "\n", "", {"shape.vertices", "missing"}},
+    {"polygon_off_the_plane",
+     CORNERS,
+     "[[0, 0, 0], [0.02, 0, 0], [0.01, 0.02, 0.1]]",
+     {"scene.toml:16:12", "z of vertex 2 must be 0"}},
+    {"polygon_on_a_line", CORNERS, "[[0, 0, 0], [1, 1, 0], [2, 2, 0]]", {"\"grain\"", "enclose no area"}},
+    {"polygon_that_crosses_itself",
+     CORNERS,
+     "[[0, 0, 0], [1, 1, 0], [1, 0, 0], [0, 1, 0]]",
+     {"\"grain\"", "must not cross or touch itself"}},
+    {"polygon_with_sides", "vertices = ", "sides = 5\nvertices = ", {"shape.sides", "only"}},
+    {"regular_polygon_of_two_sides",
+     "kind = \"polygon\"\nvertices = " CORNERS,
+     "kind = \"regular_polygon\"\nsides = 2\ncircumradius = 0.01",
+     {"shape.sides = 2", "allowed 3 <="}},
+    {"regular_polygon_without_size",
+     "kind = \"polygon\"\nvertices = " CORNERS,
+     "kind = \"regular_polygon\"\nsides = 5",
+     {"shape.circumradius", "missing"}},
+    {"polygon_in_space", "dimension = 2\nthickness = 0.01\n", "", {"is for 2-D scenes: set world.dimension = 2"}},
+    {"polygon_as_spheres",
+     "thickness = 0.01",
+     "disc_model = \"sphere\"",
+     {"disc_model = \"sphere\" is for discs only"}},
+    {"polygon_under_a_law_of_spheres",
+     "name = \"spring_dashpot\"",
+     "name = \"hertz_mindlin\"",
+     {"is a law of spheres and the bodies are prisms"}},
+    {"polygon_turned_out_of_the_plane",
+     "position = [0, 0.1, 0]",
+     "position = [0, 0.1, 0]\norientation = [0, 1, 0, 0]",
+     {"body.orientation", "entry 2 must be 0"}},
+};
+
+class BadPlaneScene : public testing::TestWithParam<BadInput> {};
+
+TEST(PlaneScene, is_accepted_as_it_stands) {
+  const Folder folder;
+  const Outcome o = program::dem({"check", folder.write("scene.toml", plane_scene)});
+  EXPECT_EQ(o.exit_code, 0) << o.err;
+  EXPECT_NE(o.out.find("polygon, 3 vertices"), std::string::npos) << o.out;
+}
+
+TEST_P(BadPlaneScene, IsRefusedWithItsPlaceAndNothingIsWritten) {
+  const BadInput& bad = GetParam();
+  const Folder folder;
+  const std::string text = program::replaced(plane_scene, bad.from, bad.to);
+  const std::vector<std::string> arguments{"run", folder.write("scene.toml", text), "--out", folder.path("out")};
+  const auto before = folder.files();
+  const Outcome o = program::dem(arguments);
+  EXPECT_EQ(o.exit_code, 2) << o.err;
+  for (const char* fragment : bad.message)
+    EXPECT_NE(o.err.find(fragment), std::string::npos) << fragment << "\nnot in\n" << o.err;
+  EXPECT_EQ(folder.files(), before);
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, BadPlaneScene, testing::ValuesIn(inputs), [](const auto& i) { return i.param.name; });
+
+}  // namespace
