@@ -52,7 +52,10 @@ void turn(Wall& w, double angle, double rate) {
   w.velocity = cross(w.spin, arm);
 }
 
-void place(Wall& w, double time) {
+// At a time, after a step dt. Contacts compare the velocity with those that bodies have in the middle of the step, so
+// that of an oscillation is taken there too: else a dashpot sees a body that rides on the plate move by half a step's
+// acceleration, and the body rides on a wrong overlap.
+void place(Wall& w, double time, double dt) {
   const WallSpec& m = w.motion;
   const bool moves = time >= m.start && time < m.stop;
   const double elapsed = std::max(0.0, std::min(time, m.stop) - m.start);
@@ -68,9 +71,9 @@ void place(Wall& w, double time) {
       return turn(w, m.rate * elapsed, moves ? m.rate : 0);
     case WallMotion::oscillation: {
       const double omega = 2 * std::numbers::pi * m.frequency;
-      const auto s = shapes::sine_cosine(omega * elapsed + m.phase);
-      w.position = w.reference + m.amplitude * s.sine;
-      if (moves) w.velocity = m.amplitude * (omega * s.cosine);
+      w.position = w.reference + m.amplitude * shapes::sine_cosine(omega * elapsed + m.phase).sine;
+      const double middle = std::max(0.0, elapsed - 0.5 * dt);
+      if (moves) w.velocity = m.amplitude * (omega * shapes::sine_cosine(omega * middle + m.phase).cosine);
       return;
     }
     case WallMotion::table: {
@@ -114,11 +117,12 @@ void sum_resistance(World& world) {
 }
 
 void move_walls(World& world) {
+  const double dt = world.step > 0 ? world.time_step.dt : 0;
   for (Wall& w : world.walls) {
     if (w.motion.motion == WallMotion::servo)
-      push(w, world.time(), world.step > 0 ? world.time_step.dt : 0);
+      push(w, world.time(), dt);
     else
-      place(w, world.time());
+      place(w, world.time(), dt);
     if (w.present && world.time() >= w.motion.remove_at) {
       w.present = false;
       world.contacts.stale = true;
