@@ -2,12 +2,13 @@
 
 namespace dem::validate {
 
-extern const Validation two_bodies, box_stack;
+extern const Validation two_bodies, box_stack, vibrated_bed;
 
 const std::vector<const Validation*>& validations() {
   static const std::vector<const Validation*> list{
       &two_bodies,
       &box_stack,
+      &vibrated_bed,
   };
   return list;
 }

@@ -47,6 +47,12 @@ Row is_true(const std::string& criterion, bool pass, const std::string& expected
   return {criterion, expected, got, pass};
 }
 
+const Wall& wall_named(const World& world, const std::string& name) {
+  for (const Wall& w : world.walls)
+    if (w.name == name) return w;
+  throw RunError("the scene has no wall \"" + name + "\"");
+}
+
 Runs::Runs(std::string scene_path, std::string folder, int threads)
     : scene_path_(std::move(scene_path)), folder_(std::move(folder)), threads_(threads) {}
 
@@ -58,7 +64,8 @@ World Runs::run(const std::vector<std::string>& overrides, const std::string& la
   World world = build(overrides);
   RunOptions options;
   if (!folder_.empty()) options.folder = label.empty() ? folder_ : folder_ + "/" + label;
-  options.threads = threads_;
+  constexpr std::size_t few = 200;  // bodies: a step of so few is shorter than threads take to meet
+  options.threads = world.particles.count() < few ? 1 : threads_;
   options.observe = observe;
   if (observe) observe(world);
   dem::run(world, options, false);

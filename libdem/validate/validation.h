@@ -40,6 +40,9 @@ Row at_most(const std::string& criterion, double got, double upper, const std::s
 Row at_least(const std::string& criterion, double got, double lower, const std::string& unit = "");
 Row is_true(const std::string& criterion, bool pass, const std::string& expected, const std::string& got);
 
+// The wall of this name; RunError when the scene has none.
+const Wall& wall_named(const World& world, const std::string& name);
+
 // Seen after every step (and once before the first), on one thread. Must not be slow.
 using Observer = std::function<void(const World&)>;
 
