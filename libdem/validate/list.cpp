@@ -2,13 +2,14 @@
 
 namespace dem::validate {
 
-extern const Validation two_bodies, box_stack, vibrated_bed;
+extern const Validation two_bodies, box_stack, vibrated_bed, triaxial_fcc;
 
 const std::vector<const Validation*>& validations() {
   static const std::vector<const Validation*> list{
       &two_bodies,
       &box_stack,
       &vibrated_bed,
+      &triaxial_fcc,
   };
   return list;
 }

@@ -13,6 +13,8 @@ namespace {
 using namespace dem::validate;
 using dem::World;
 
+std::string scene(const std::string& name) { return dem::scenes_folder() + "/" + name + ".toml"; }
+
 void expect_passes(const std::string& name) {
   for (const Validation* v : validations()) {
     if (v->name != name) continue;
@@ -37,5 +39,21 @@ TEST(ShippedScenes, Begin) {
 }
 
 TEST(ShippedScenes, VibratedBedPasses) { expect_passes("vibrated_bed"); }
+
+// Before the top moves the servos keep their pressure, and the stress is near isotropic.
+TEST(ShippedScenes, TheArrayOfSpheresStandsUnderItsPressure) {
+  const World w = Runs(scene("triaxial_fcc"), "", 1).run({"run.time=0.01"});
+  const double pressure = 1e4;
+  for (const char* name : {"east", "north"}) {
+    const dem::Wall& wall = wall_named(w, name);
+    EXPECT_NEAR(wall.force.x + wall.force.y, pressure * wall.motion.area, 1e-3 * pressure * wall.motion.area);
+  }
+  const double top = wall_named(w, "top").force.z / wall_named(w, "east").motion.area;
+  EXPECT_GT(top, 0.8 * pressure);
+  EXPECT_LT(top, 1.2 * pressure);
+  // No contact has opened: all the neighbours of n planes of spheres along each axis.
+  const double n = 13, pairs = 3 * n * (n - 1) * (n - 1);
+  EXPECT_EQ(dem::contacts_per_particle(w) * static_cast<double>(w.particles.count()), pairs);
+}
 
 }  // namespace
