@@ -205,10 +205,14 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "usage: scene_fuzz FOLDER SEED CASES SECONDS\n");
     return 2;
   }
-  const std::string folder = argv[1];
+  const fs::path folder = argv[1];
   fs::create_directories(folder);
-  std::ofstream(folder + "/bodies.csv")
+  std::ofstream(folder / "bodies.csv")
       << "x,y,z,radius\n0.01,0.01,0.001,0.001\n0.02,0.01,0.001,0.001\n0.012,0.01,0.001,0.001\n";
+  for (const std::string& name : dem::shipped_scenes())  // scenes find their tables beside them
+    for (const auto& file : fs::directory_iterator(fs::path(dem::path_of_scene(name)).parent_path()))
+      if (file.path().extension() == ".csv")
+        fs::copy_file(file.path(), folder / file.path().filename(), fs::copy_options::overwrite_existing);
   Fuzzer fuzzer{std::mt19937_64(std::strtoull(argv[2], nullptr, 10)), {}, {}};
   for (const std::string& name : dem::shipped_scenes())
     fuzzer.seeds.push_back(tokens_of(seed_text(dem::path_of_scene(name))));
@@ -218,7 +222,7 @@ int main(int argc, char** argv) {
   const double seconds = std::strtod(argv[4], nullptr);
   const auto start = std::chrono::steady_clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
-  const std::string path = folder + "/case.toml";
+  const std::string path = (folder / "case.toml").string();
   Tally tally;
   for (const std::string& name : dem::shipped_scenes()) {  // as they are: they must run
     std::ofstream(path, std::ios::binary) << seed_text(dem::path_of_scene(name));
