@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "shapes/compound.h"
 #include "shapes/disc.h"
 #include "shapes/ellipse.h"
 #include "shapes/ellipsoid.h"
@@ -25,8 +26,8 @@
 namespace shapes {
 
 // Bodies first, walls last; pairs of kinds are stated in this order.
-using List = std::tuple<Sphere, Ellipsoid, Polyhedron, RoundedPolyhedron, PotentialParticle, Disc, Ellipse, Polygon,
-                        Plane, Mesh, Line, Polyline>;
+using List = std::tuple<Sphere, Ellipsoid, Polyhedron, RoundedPolyhedron, PotentialParticle, Compound, Disc, Ellipse,
+                        Polygon, Plane, Mesh, Line, Polyline>;
 inline constexpr std::size_t kind_count = std::tuple_size_v<List>;
 
 enum class Kind : std::uint8_t {
@@ -35,6 +36,7 @@ enum class Kind : std::uint8_t {
   polyhedron,
   rounded_polyhedron,
   potential_particle,
+  compound,
   disc,
   ellipse,
   polygon,
