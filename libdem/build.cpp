@@ -8,6 +8,7 @@
 
 #include "libcontact/laws/mix.h"
 #include "libdem/broad_phase/candidates.h"
+#include "libdem/deformation.h"
 #include "libdem/forces.h"
 #include "libdem/integrators/rotation.h"
 #include "libdem/walls.h"
@@ -124,17 +125,6 @@ void check_methods(const World& world) {
     }
 }
 
-void make_cell(World& world) {
-  const PeriodicSpec& s = world.scene.periodic;
-  for (int k = 0; k < 3; ++k) {
-    if (!s.along(k)) continue;
-    world.cell.periodic = true;
-    world.cell.lower[k] = s.lower[k];
-    world.cell.lattice.length[k] = s.upper[k] - s.lower[k];
-    world.cell.lattice.inverse[k] = 1 / world.cell.lattice.length[k];
-  }
-}
-
 // Only one image of a body may be within reach of another.
 void check_cell(const World& world) {
   double largest = 0;
@@ -186,8 +176,6 @@ World build_world(const Scene& scene) {
     mark(f.where);
   }
   make_cell(world);
-  if (world.cell.periodic)
-    for (Motion& m : world.particles.motion) world.cell.wrap(m.position);
   for (const OutletSpec& o : scene.outlets) world.outlets.push_back({o.name, 0, 0});
   for (std::size_t i = 0; i < world.particles.count(); ++i) {
     if (turns_uniformly(world.particles.kind[i])) continue;
@@ -203,6 +191,7 @@ World build_world(const Scene& scene) {
   compute_forces(world, 1, 0.0);  // no time has passed: history of initial contacts begins without slip
   check_initial_overlap(world, where);
   sum_forces(world, 1);
+  start_cell(world);
   const Vec3d p = momentum(world);
   world.balance.initial_momentum = {p.x, p.y, p.z};
   for (const std::uint32_t i : order_by_id(world)) world.balance.initial_mass += world.particles.mass[i];

@@ -50,6 +50,7 @@ struct Contacts {
   std::vector<std::uint32_t> active_count;
   std::vector<std::uint32_t> wall_records;  // records with a wall
   std::vector<Vec3d> reference;             // particle positions at the last rebuild
+  double largest_sum = 0;                   // of the bounding radii of two bodies, m
   bool stale = true;                        // the list must be rebuilt before it is used
   std::size_t count() const { return key.size(); }
 };

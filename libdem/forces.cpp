@@ -318,6 +318,7 @@ class ForcePass {
       arm_b = arm_a - s.offset[r];
       spin_b = b.spin;
       velocity -= b.velocity + cross(b.spin, arm_b);
+      if (lattice_ != nullptr) velocity -= lattice_->flow(s.offset[r]);
       radius = radius * b.equivalent_radius / (radius + b.equivalent_radius);
       w += inverse_mass(ib, s.b[r], arm_b, q.normal);
     }

@@ -88,7 +88,7 @@ double contacts_per_particle(const World& world) {
 }
 
 // FNV-1a over ids, positions, orientations, velocities, spins, accumulated rotations in id order, then over the history
-// of touching contacts in key order.
+// of touching contacts in key order; first the box and its stress where it deforms.
 std::uint64_t state_hash(const World& world) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   const auto add = [&hash](const auto& value) {
@@ -97,6 +97,11 @@ std::uint64_t state_hash(const World& world) {
     for (const unsigned char b : bytes) hash = (hash ^ b) * 0x100000001b3u;
   };
   const Particles& p = world.particles;
+  if (world.cell.deforms) {
+    add(world.cell.lattice);
+    add(world.cell.virial);
+    add(world.cell.work);
+  }
   for (const std::uint32_t i : order_by_id(world)) {
     add(p.id[i]);
     add(p.motion[i].position);

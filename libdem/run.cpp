@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "libdem/deformation.h"
 #include "libdem/io/files.h"
 #include "libdem/io/io.h"
 #include "libdem/render/render.h"
@@ -34,6 +35,7 @@ class Output {
       : options_(options),
         frame_every_(steps_between(world.scene.output.interval, world.time_step.dt)),
         checkpoint_every_(steps_between(world.scene.output.checkpoint_interval, world.time_step.dt)),
+        cell_every_(steps_between(world.scene.output.cell_interval, world.time_step.dt)),
         first_step_(world.step),
         silent_(options.folder.empty()) {
     if (silent_) return;
@@ -41,6 +43,7 @@ class Output {
     if (!resumed) io::write_file(path("scene.toml"), scene_to_toml(world.scene));
     const OutputSpec& what = world.scene.output;
     if (what.vtk) vtk_.emplace(options.folder);
+    if (is_whole(world)) cell_.emplace(path("cell.csv"), world, resumed);
     if (what.hdf5) record_.emplace(path("record.h5"), world, resumed && fs::exists(path("record.h5")));
     if (resumed) {  // frames that the stopped run wrote after its last checkpoint will come again
       if (vtk_) vtk_->truncate_after(world.step);
@@ -51,11 +54,12 @@ class Output {
   }
 
   bool due_now(std::uint64_t step) const {
-    return !silent_ && (due(step, frame_every_) || due(step, checkpoint_every_));
+    return !silent_ && (due(step, frame_every_) || due(step, checkpoint_every_) || (cell_ && due(step, cell_every_)));
   }
   // Frames come before the checkpoint of the same step: a resume then has every frame up to its checkpoint.
   void write_due(const World& world) {
     if (due(world.step, frame_every_)) frame(world);
+    if (cell_ && due(world.step, cell_every_)) cell_->write(world);
     if (due(world.step, checkpoint_every_)) checkpoint(world);
   }
   void checkpoint(const World& world) const {
@@ -64,11 +68,13 @@ class Output {
   void frame(const World& world) {
     if (vtk_) vtk_->write(world);
     if (record_) record_->write(world);
+    if (cell_ && (cell_every_ == 0 || world.step == 0)) cell_->write(world);
   }
   // The state as it is, whether the run reached its end or failed.
   void state(const World& world) {
     if (silent_) return;
     frame(world);
+    if (cell_) cell_->write(world);
     io::write_final_csv(path("final.csv"), world);
     if (!world.scene.outlets.empty()) io::write_discharge_csv(path("discharge.csv"), world);
   }
@@ -84,10 +90,11 @@ class Output {
   std::string path(const char* name) const { return options_.folder + "/" + name; }
 
   const RunOptions& options_;
-  std::uint64_t frame_every_, checkpoint_every_, first_step_;
+  std::uint64_t frame_every_, checkpoint_every_, cell_every_, first_step_;
   bool silent_;
   std::optional<io::VtkSeries> vtk_;
   std::optional<io::Record> record_;
+  std::optional<io::CellSeries> cell_;  // of a box that is periodic along every axis
 };
 
 // Adds the wall time of a piece of work to a sum.

@@ -96,6 +96,11 @@ void particles(Archive& a, W& world) {
   a.list(p.mass);
   a.list(p.force);
   a.list(p.torque);
+  auto& cell = world.cell;
+  a.value(cell.lower);
+  a.value(cell.lattice);
+  a.value(cell.virial);
+  a.value(cell.work);
   for (auto& o : world.outlets) {
     a.value(o.count);
     a.value(o.mass);

@@ -1,12 +1,13 @@
 // One step of the loop: kick – drift – kick with positions, velocities and forces at the same time at its ends.
 //   v += ½ dt (F/m + g), L += ½ dt T;  x += dt v, q turns freely;  walls move;  contacts at the new positions with the
-//   half-step velocities give F, T;  v += ½ dt (F/m + g), L += ½ dt T
+//   half-step velocities give F, T;  v += ½ dt (F/m + g), L += ½ dt T;  in a cell that deforms see deformation.h
 // The order is second; forces are kept in the state, nothing is recomputed at a start.
 #include <chrono>
 #include <cmath>
 
 #include "libdem/broad_phase/candidates.h"
 #include "libdem/build.h"
+#include "libdem/deformation.h"
 #include "libdem/forces.h"
 #include "libdem/integrators/rotation.h"
 #include "libdem/outlets.h"
@@ -49,27 +50,39 @@ struct BodyAt {
   }
 };
 
-void kick_and_drift(World& world, int threads, double dt) {
+// In a cell that deforms, a body is slowed by the flow (half of it here), drifts half the way, is carried along with
+// the box, and drifts the other half.
+void kick_and_drift(World& world, int threads, double dt, const CellStep& flow) {
   Particles& p = world.particles;
   const Vec3d gravity = world.scene.gravity;
-  const bool periodic = world.cell.periodic;
+  const Cell& cell = world.cell;
+  const bool periodic = cell.periodic, deforms = cell.deforms;
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::size_t i = 0; i < p.count(); ++i) {
     BodyAt body(p, i);
     body.kick(gravity, 0.5 * dt);
-    body.m.position += body.m.velocity * dt;
-    if (periodic) world.cell.wrap(body.m.position);
+    if (deforms) {
+      Vec3d& x = body.m.position;
+      body.m.velocity = scaled(body.m.velocity, flow.slowed);
+      const Vec3d way = body.m.velocity * (0.5 * dt);
+      x = cell.centre + scaled(x + way - cell.centre, flow.scale) + way;
+    } else {
+      body.m.position += body.m.velocity * dt;
+    }
+    if (periodic) cell.wrap(body.m.position);
     body.turn(dt);
   }
 }
 
-void kick_again(World& world, int threads, double dt) {
+void kick_again(World& world, int threads, double dt, const CellStep& flow) {
   Particles& p = world.particles;
   const Vec3d gravity = world.scene.gravity;
+  const bool deforms = world.cell.deforms;
   std::size_t bad = p.count();
 #pragma omp parallel for schedule(static) num_threads(threads) reduction(min : bad)
   for (std::size_t i = 0; i < p.count(); ++i) {
     BodyAt body(p, i);
+    if (deforms) body.m.velocity = scaled(body.m.velocity, flow.slowed);
     body.kick(gravity, 0.5 * dt);
     body.set_spin();
     const Motion& m = body.m;
@@ -113,8 +126,14 @@ void monitor(World& world) {
 void advance(World& world, int threads) {
   const auto begin = std::chrono::steady_clock::now();
   const double dt = world.time_step.dt;
+  const bool deforms = world.cell.deforms;
   book_impulse(world, 0.5 * dt);
-  kick_and_drift(world, threads, dt);
+  CellStep flow;
+  if (deforms) {
+    flow = deform_box(world.cell, dt);
+    book_flow(world, flow);
+  }
+  kick_and_drift(world, threads, dt, flow);
   ++world.step;
   world.times.integrate += seconds_since(begin);
 
@@ -128,8 +147,10 @@ void advance(World& world, int threads) {
   sum_forces(world, threads);
 
   const auto end = std::chrono::steady_clock::now();
-  kick_again(world, threads, dt);
+  kick_again(world, threads, dt, flow);
+  if (deforms) book_flow(world, flow);
   book_impulse(world, 0.5 * dt);
+  if (deforms) finish_cell_step(world, threads, dt);
   if (world.step % monitor_every == 0) monitor(world);
   world.times.integrate += seconds_since(end);
   world.times.loop += seconds_since(begin);

@@ -61,7 +61,7 @@ using SphereTorqueKernel = void (*)(const SphereChunk& in, LawChunk& chunk, std:
 using ClearanceKernel = void (*)(const Motion* motion, const Index* a, const Index* b, std::size_t count, Lane& out);
 using GatherKernel = void (*)(const Motion* motion, const Index* a, const Index* b, std::size_t count, SphereChunk& out,
                               LawChunk& chunk);
-// The same with the nearest image of b.
+// The same with the nearest image of b; the velocities are relative to the flow of the lattice.
 using PeriodicClearanceKernel = void (*)(const Motion* motion, const Index* a, const Index* b, std::size_t count,
                                          const Lattice& lattice, Lane& out);
 using PeriodicGatherKernel = void (*)(const Motion* motion, const Index* a, const Index* b, std::size_t count,

@@ -195,10 +195,21 @@ bool moved(const World& world, double half) {
   return false;
 }
 
-// A wrapped body has not moved by the length of the box.
+// A wrapped body has not moved by the length of the box, and bodies that follow the cell keep their neighbours: u is by
+// how much a body has left that motion. An offset d at the last rebuild is now F d + u_b − u_a, with F the stretch of
+// the cell, so no shorter than s |d| − |u_a| − |u_b|, s = the least stretch. A pair that was left out, |d| at least the
+// sum of its radii + skin, is still apart while
+//   2 |u| < s · skin − (1 − s) · sum of radii
 bool moved_in_cell(const World& world, double half) {
+  const Cell& cell = world.cell;
+  const Contacts& c = world.contacts;
+  const double least = std::min({1.0, cell.stretch.x, cell.stretch.y, cell.stretch.z});
+  if (least < 1) half = 0.5 * (least * world.skin - (1 - least) * c.largest_sum);
+  if (!(half > 0)) return true;
   for (std::size_t i = 0; i < world.particles.count(); ++i) {
-    const Vec3d d = world.cell.lattice.nearest(world.particles.motion[i].position - world.contacts.reference[i]);
+    const Vec3d followed =
+        cell.deforms ? cell.centre + scaled(c.reference[i] - cell.centre, cell.stretch) : c.reference[i];
+    const Vec3d d = cell.lattice.nearest(world.particles.motion[i].position - followed);
     if (dot(d, d) >= half * half) return true;
   }
   return false;
@@ -267,6 +278,8 @@ void rebuild_candidates(World& world, int threads) {
     wall.list_position = wall.position;
     wall.list_orientation = wall.orientation;
   }
+  c.largest_sum = reach_of(world) - world.skin;
+  world.cell.stretch = {1, 1, 1};
   c.stale = false;
   ++world.counters.rebuilds;
   world.counters.candidates = total;

@@ -94,6 +94,9 @@ void print_model(const World& world) {
       box += fmt::format("{} {} from {:.6g} to {:.6g} m", box.empty() ? "on:" : ",", "xyz"[k], s.periodic.lower[k],
                          s.periodic.upper[k]);
   line("periodic", box.empty() ? "off: periodic.axes is none" : box);
+  const auto& deform = s.periodic.deform;
+  if (!box.empty())
+    line("deformation", deform.empty() ? "off: no [[periodic.deform]]" : fmt::format("on: {} entries", deform.size()));
   line("detection", s.method);
   for (const char* absent : {"rolling", "cohesion"}) line(absent, "off: not in this version");
   line("frames", s.output.interval > 0 ? fmt::format("every {:.4g} s", s.output.interval)

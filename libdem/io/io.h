@@ -22,6 +22,19 @@ void write_summary(const std::string& path, const World& world, const std::strin
 // discharge.csv: time, count, mass.
 void write_discharge_csv(const std::string& path, const World& world);
 
+// cell.csv, of a box that is periodic along every axis: time, length_x … length_z, stress_xx … stress_zz, stress_xy …
+// stress_yz (mean of both halves; Pa, compression positive), solid_fraction, coordination, rattlers (their share),
+// coordination_backbone (see Coordination), translational and elastic energy, work (of the deformation), J; 17 digits.
+class CellSeries {
+ public:
+  // Begins the file, or goes on with the rows that it has up to the world's time: a resume drops later ones.
+  CellSeries(std::string path, const World& world, bool append);
+  void write(const World& world);  // one row, unless the file ends with a row of this time
+
+ private:
+  std::string path_, last_;  // last_: the time in the last row, as written
+};
+
 // frames.pvd and frames/*.vtp: spheres and ellipsoids as points (radius, tensor), polyhedra as polygons, contacts as
 // lines, walls as polygons. File names carry the step; empty pieces are left out. Coordinates of points and tensors are
 // double, everything else single precision: the exact numbers are in the record.

@@ -1,6 +1,7 @@
 // Layout of record.h5, SI units, one row per particle (in order of id), wall or contact:
 //   /frames/<step>            attributes step, time
 //     id shape material       size position orientation(w, x, y, z) velocity spin rotation
+//     cell                    of a periodic scene: lower corner and lengths of the box
 //     walls/                  present position orientation
 //     contacts/               touching records:
 //       a b part              b from 2^63 on: a wall
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "libdem/build.h"
 #include "libdem/io/hdf5.h"
@@ -207,6 +209,10 @@ void Record::write(const World& world) {
   file.put_attribute(aside, "step", world.step);
   file.put_attribute(aside, "time", world.time());
   put_particles(file, aside, world);
+  if (world.cell.periodic) {
+    const std::array<Vec3d, 2> box{world.cell.lower, world.cell.lattice.length};
+    file.put(aside + "/cell", rows(box, [](const Vec3d& v) { return v; }), 3);
+  }
   file.make_group(aside + "/walls");
   put_walls(file, aside + "/walls", world.walls);
   file.make_group(aside + "/contacts");
@@ -234,6 +240,11 @@ void load_frame(const std::string& record_path, World& world, int frame) {
                                static_cast<long>(names.size()) - 1));
   const std::string at = "/frames/" + names[static_cast<std::size_t>(frame)];
   get_particles(file, at, world);
+  if (file.has(at + "/cell")) {
+    const auto box = file.get<double>(at + "/cell");
+    if (box.size() != 6) throw RunError("the record's frame " + at + " is damaged: cell");
+    world.cell.set_lengths(vector_at(box, 1));
+  }
   get_walls(file, at + "/walls", world.walls);
   get_contacts(file, at + "/contacts", world);
   world.step = file.attribute(at, "step");

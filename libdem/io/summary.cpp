@@ -1,6 +1,6 @@
 // summary.json: what a run did, in one page. Keys: title, version, end, steps, time, dt, dt_limit, dt_limited_by,
 // threads, particles, particle_steps_per_s, seconds, contacts_per_particle, counters, energies, momentum,
-// momentum_balance, mass_balance, outlets, materials and
+// momentum_balance, mass_balance, cell (periodic scenes), outlets, materials and
 // published_friction with their sources, walls, state_hash. SI units.
 #include <fmt/format.h>
 
@@ -8,6 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "libdem/deformation.h"
 #include "libdem/io/files.h"
 #include "libdem/io/io.h"
 
@@ -71,6 +72,23 @@ Json mass_balance(const World& world, double mass) {
           {"removed_count", world.counters.deleted}};
 }
 
+// The box; where it is periodic along every axis, what it bears and holds too.
+Json cell(const World& world) {
+  const Cell& c = world.cell;
+  Json box{{"lower", list(c.lower)}, {"lengths", list(c.lattice.length)}};
+  if (!is_whole(world)) return box;
+  const Mat3d s = cell_stress(world);
+  const Coordination z = coordination(world);
+  box["rates"] = list(c.lattice.rate);
+  box["stress"] = {list(s.row[0]), list(s.row[1]), list(s.row[2])};
+  box["solid_fraction"] = solid_fraction(world);
+  box["coordination"] = z.all;
+  box["rattlers"] = z.rattlers;
+  box["coordination_backbone"] = z.backbone;
+  box["work"] = c.work.value();
+  return box;
+}
+
 }  // namespace
 
 void write_summary(const std::string& path, const World& world, const std::string& end, int threads,
@@ -110,6 +128,7 @@ void write_summary(const std::string& path, const World& world, const std::strin
   summary["momentum"] = list(momentum(world));
   summary["momentum_balance"] = momentum_balance(world, mass);
   summary["mass_balance"] = mass_balance(world, mass);
+  if (world.cell.periodic) summary["cell"] = cell(world);
   summary["outlets"] = Json::array();
   for (const OutletRecord& o : world.outlets)
     summary["outlets"].push_back({{"name", o.name}, {"count", o.count}, {"mass", o.mass}});

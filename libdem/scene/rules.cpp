@@ -49,7 +49,7 @@ class Rules : RuleContext {
     for (std::size_t i = 0; i < scene.walls.size(); ++i) check_wall_rules(*this, i);
     for (std::size_t i = 0; i < scene.fills.size(); ++i) fill(i);
     for (std::size_t i = 0; i < scene.outlets.size(); ++i) nonzero("outlet", i, "normal", scene.outlets[i].normal);
-    periodic();
+    check_periodic_rules(*this);
     pairs();
     particles();
     for (std::size_t i = 0; i < scene.materials.size(); ++i) material(i);
@@ -93,40 +93,6 @@ class Rules : RuleContext {
         return wrong(
             "fill", i, "upper",
             fmt::format("allowed fill.upper > fill.lower in x{}", scene.dimension == 2 ? " and y" : ", y and z"));
-  }
-
-  // A box of some length; walls, outlets and fills that are the same for every image.
-  void periodic() {
-    const PeriodicSpec& box = scene.periodic;
-    const auto crosses = [&](const Vec3d& normal) {
-      for (int k = 0; k < 3; ++k)
-        if (box.along(k) && normal[k] != 0) return true;
-      return false;
-    };
-    for (int k = 0; k < 3; ++k)
-      if (box.along(k) && !(box.lower[k] < box.upper[k]))
-        return wrong("periodic", 0, "upper", fmt::format("allowed periodic.upper > periodic.lower in {}", "xyz"[k]));
-    if (box.axes == "none") return;
-    const std::string zero = fmt::format("allowed: 0 along periodic.axes = \"{}\"", box.axes);
-    for (std::size_t i = 0; i < scene.walls.size(); ++i) {
-      const WallSpec& w = scene.walls[i];
-      if (w.kind != "plane")
-        wrong("wall", i, "kind", "with periodic.axes only planes are allowed: a mesh has no images");
-      if (w.kind == "plane" && crosses(w.normal)) wrong("wall", i, "normal", zero);
-      if (w.motion == WallMotion::rotation || w.motion == WallMotion::table)
-        wrong("wall", i, "motion", "allowed with periodic.axes: fixed, translation, oscillation, servo");
-    }
-    for (std::size_t i = 0; i < scene.outlets.size(); ++i)
-      if (crosses(scene.outlets[i].normal)) wrong("outlet", i, "normal", zero);
-    for (std::size_t i = 0; i < scene.fills.size(); ++i)
-      for (int k = 0; k < 3; ++k) {
-        if (!box.along(k)) continue;
-        const FillSpec& f = scene.fills[i];
-        for (const bool low : {true, false})
-          if (low ? f.lower[k] < box.lower[k] : f.upper[k] > box.upper[k])
-            wrong("fill", i, low ? "lower" : "upper",
-                  fmt::format("allowed within the periodic box, {} = {} to {}", "xyz"[k], box.lower[k], box.upper[k]));
-      }
   }
 
   void pairs() {

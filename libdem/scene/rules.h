@@ -22,5 +22,6 @@ struct RuleContext {
 };
 
 void check_wall_rules(const RuleContext& context, std::size_t wall);
+void check_periodic_rules(const RuleContext& context);
 
 }  // namespace dem

@@ -46,6 +46,7 @@ struct RunSpec {
 struct OutputSpec {
   double interval = 0;             // s between frames; 0: only the first and last
   double checkpoint_interval = 0;  // s of simulated time; 0: at the end and on interrupt only
+  double cell_interval = 0;        // s between rows of cell.csv; 0: with the frames
   bool vtk = true, hdf5 = true, picture = true;
 };
 
@@ -178,9 +179,16 @@ struct OutletSpec {  // bodies whose centre is behind the plane (normal·(x − 
   Where where;
 };
 
+struct DeformSpec {      // how the periodic box deforms from a time on, until the next one
+  double start = 0;      // s
+  Vec3d strain_rates{};  // 1/s, of the lengths over the lengths; negative compresses
+  Where where;
+};
+
 struct PeriodicSpec {         // a box whose opposite faces are one face
   std::string axes = "none";  // the letters of those axes
   Vec3d lower{}, upper{};     // its corners; only their components along `axes` count
+  std::vector<DeformSpec> deform;
   Where where;
   bool along(int axis) const { return axes != "none" && axes.find("xyz"[axis]) != std::string::npos; }
 };

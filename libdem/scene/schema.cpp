@@ -119,6 +119,9 @@ std::vector<Key> output_keys() {
       value<&OutputSpec::checkpoint_interval>(
           "checkpoint_interval", "s", "Simulated time between checkpoints; 0 = at the end and on an interrupt only.")
           .from(0),
+      value<&OutputSpec::cell_interval>("cell_interval", "s",
+                                        "Simulated time between rows of cell.csv (periodic box); 0 = with the frames.")
+          .from(0),
       value<&OutputSpec::vtk>("vtk", "", "Write frames for ParaView (frames.pvd)."),
       value<&OutputSpec::hdf5>("hdf5", "", "Write frames into the record (record.h5)."),
       value<&OutputSpec::picture>("picture", "", "Draw the final state (final.png)."),
@@ -238,20 +241,6 @@ std::vector<Key> fill_keys() {
       value<&FillSpec::count>("count", "", "Number of bodies.").from(1).must(),
       value<&FillSpec::velocity>("velocity", "m/s", "Their initial velocity."),
       tables<&FillSpec::items>("items", "What the box is filled with.", item_keys()).must(),
-  };
-}
-
-std::vector<Key> periodic_keys() {
-  const std::vector<std::string> some{"x", "y", "z", "xy", "xz", "yz", "xyz"};
-  std::vector<std::string> all{"none"};
-  all.insert(all.end(), some.begin(), some.end());
-  return {
-      value<&PeriodicSpec::axes>("axes", "", "The axes along which what leaves the box enters it at the other side.")
-          .one_of(all),
-      value<&PeriodicSpec::lower>("lower", "m", "Lower corner of the box; its components along the axes count.")
-          .when("axes", some)
-          .must(),
-      value<&PeriodicSpec::upper>("upper", "m", "Upper corner.").when("axes", some).must(),
   };
 }
 

@@ -7,6 +7,7 @@
 
 namespace dem {
 
-std::vector<Key> wall_keys();  // [[wall]]
+std::vector<Key> wall_keys();      // [[wall]]
+std::vector<Key> periodic_keys();  // [periodic]
 
 }  // namespace dem

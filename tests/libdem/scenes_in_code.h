@@ -187,4 +187,28 @@ inline Scene every_shape_driven(std::uint64_t count) {
   return s;
 }
 
+// `count` bodies of every shape, two clouds that meet in a periodic box which deforms: first one way, then another.
+inline Scene every_shape_in_a_cell(std::uint64_t count) {
+  constexpr double edge = 0.1;
+  Scene s = every_shape(count / 2);
+  for (MaterialSpec& m : s.materials) m.stiffness /= 8;
+  s.gravity = {};
+  s.walls.clear();
+  s.periodic.axes = "xyz";
+  s.periodic.upper = {edge, edge, edge};
+  s.fills[0].lower = {};
+  s.fills[0].upper = {edge, edge, edge / 2};
+  s.fills[0].velocity = {3, 2, 6};
+  s.fills.push_back(s.fills[0]);
+  s.fills[1].lower.z = edge / 2;
+  s.fills[1].upper.z = edge;
+  s.fills[1].velocity = {-2, -3, -8};
+  DeformSpec first, second;
+  first.strain_rates = {-16, -8, 4};
+  second.start = 0.00390625;
+  second.strain_rates = {4, -24, -12};
+  s.periodic.deform = {first, second};
+  return s;
+}
+
 }  // namespace dem::scenes

@@ -65,6 +65,12 @@ Scene restated(Scene s, const Units& u) {
     scale(b.spin, rate);
   }
   for (OutletSpec& o : s.outlets) scale(o.point, length);
+  scale(s.periodic.lower, length);
+  scale(s.periodic.upper, length);
+  for (DeformSpec& d : s.periodic.deform) {
+    d.start *= u.of(0, 0, 1);
+    scale(d.strain_rates, rate);
+  }
   return s;
 }
 
@@ -94,6 +100,10 @@ std::string difference(const World& a, const World& b, const Units& u) {
     if (!same(b.walls[w].force, a.walls[w].force, u.of(1, 1, -2))) return "force on wall " + a.walls[w].name;
   for (std::size_t w = 0; w < a.walls.size(); ++w)
     if (!same(b.walls[w].position, a.walls[w].position, u.of(1, 0, 0))) return "place of wall " + a.walls[w].name;
+  if (!same(b.cell.lattice.length, a.cell.lattice.length, u.of(1, 0, 0))) return "length of the box";
+  for (int k = 0; k < 3; ++k)
+    if (!same(b.cell.virial.row[k], a.cell.virial.row[k], u.of(2, 1, -2))) return "stress";
+  if (a.cell.work.value() * u.of(2, 1, -2) != b.cell.work.value()) return "work";
   if (a.counters.contact_steps != b.counters.contact_steps) return "number of contacts";
   return "";
 }
@@ -124,6 +134,12 @@ TEST_P(ChangeOfUnits, GivesTheSameBitsScaled) {
 
 TEST_P(ChangeOfUnits, GivesTheSameBitsScaledWithDrivenWalls) {
   Scene s = scenes::every_shape_driven(bodies);
+  s.law.name = GetParam();
+  expect_same_bits_scaled(s);
+}
+
+TEST_P(ChangeOfUnits, GivesTheSameBitsScaledInADeformingCell) {
+  Scene s = scenes::every_shape_in_a_cell(bodies);
   s.law.name = GetParam();
   expect_same_bits_scaled(s);
 }

@@ -330,6 +330,40 @@ const std::vector<BadInput> inputs{
      "1, 1]\ncount = 2\n[[fill.items]]\nshape = \"ball\"\nmaterial = \"glass\"\n[law]",
      nullptr,
      {"fill.upper = [1.5, 1, 1]", "allowed within the periodic box", "x = -1 to 1"}},
+    {"deform_partly_periodic",
+     "[law]",
+     "[periodic]\naxes = \"xy\"\nlower = [-1, -1, -1]\nupper = [1, 1, 1]\ndeform = [{ strain_rates = [1, 0, 0] "
+     "}]\n[law]",
+     nullptr,
+     {"periodic.axes = \"xy\"", "a box that deforms is periodic along every axis", "\"xyz\""}},
+    {"deform_with_gravity",
+     "[law]",
+     "[periodic]\naxes = \"xyz\"\nlower = [-1, -1, -1]\nupper = [1, 1, 1]\n[[periodic.deform]]\nstrain_rates = [1, 0, "
+     "0]\n[law]",
+     nullptr,
+     {"world.gravity", "allowed with periodic.deform: [0, 0, 0]"}},
+    {"deform_starts_fall",
+     "[law]",
+     "[periodic]\naxes = \"xyz\"\nlower = [-1, -1, -1]\nupper = [1, 1, 1]\n[[periodic.deform]]\nstart = "
+     "0.5\n[[periodic.deform]]\nstart = 0.5\n[law]",
+     nullptr,
+     {"scene.toml:16:9", "periodic.deform.start = 0.5", "does not follow 0.5", "rising times"}},
+    {"deform_without_axes",
+     "[law]",
+     "[periodic]\ndeform = [{ strain_rates = [1, 0, 0] }]\n[law]",
+     nullptr,
+     {"periodic.deform", "axes"}},
+    {"deform_rate_of_two",
+     "[law]",
+     "[periodic]\naxes = \"xyz\"\nlower = [-1, -1, -1]\nupper = [1, 1, 1]\n[[periodic.deform]]\nstrain_rates = [1, "
+     "0]\n[law]",
+     nullptr,
+     {"periodic.deform.strain_rates = [1, 0]", "needs a list of 3 numbers"}},
+    {"cell_interval",
+     "steps = 200",
+     "steps = 200",
+     "output.cell_interval=-1",
+     {"output.cell_interval = -1", "allowed"}},
 };
 
 class BadScene : public testing::TestWithParam<BadInput> {};

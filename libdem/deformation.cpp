@@ -1,0 +1,206 @@
+#include "libdem/deformation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "libdem/build.h"
+
+namespace dem {
+namespace {
+
+constexpr double largest_strain = 0.01;  // of a length in one step
+
+void add_product(Mat3d& m, const Vec3d& a, const Vec3d& b) {
+  for (int k = 0; k < 3; ++k) m.row[k] += b * a[k];
+}
+
+// The share of record k in (2).
+void add_contact(const World& world, std::size_t k, Mat3d& sum) {
+  const Contacts& c = world.contacts;
+  const auto& motion = world.particles.motion;
+  const Vec3d d = world.cell.lattice.nearest(motion[c.index_b[k]].position - motion[c.index_a[k]].position);
+  add_product(sum, -c.slot[k].force, d);
+}
+
+// Each body adds its contacts with bodies of higher id, in order of their ids; then the bodies are added in order of
+// id. The order of storage, which depends on rebuilds, does not matter.
+Mat3d virial_of(const World& world, int threads) {
+  const Contacts& c = world.contacts;
+  const Particles& p = world.particles;
+  std::vector<Mat3d> of(world.next_id);
+  const bool listed = c.active_count.size() == p.count();  // not so in a state that was read from a file
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (std::size_t i = 0; i < p.count(); ++i) {
+    Mat3d& sum = of[p.id[i]];
+    const Vec3d& v = p.motion[i].velocity;
+    add_product(sum, v * p.mass[i], v);
+    if (!listed) continue;
+    const std::uint32_t first = c.incidence_start[i];
+    for (std::uint32_t e = first; e < first + c.active_count[i]; ++e) {
+      const std::size_t k = c.active[e] >> 1;
+      if (c.key[k].a == p.id[i] && c.key[k].b < wall_base) add_contact(world, k, sum);
+    }
+  }
+  if (!listed)
+    for (std::size_t k = 0; k < c.count(); ++k)
+      if (c.touching[k] != 0 && c.key[k].b < wall_base) add_contact(world, k, of[c.key[k].a]);
+  Mat3d total;
+  for (const Mat3d& m : of)
+    for (int k = 0; k < 3; ++k) total.row[k] += m.row[k];
+  return total;
+}
+
+// The entry of periodic.deform that rules the step that begins now; null before the first one.
+const DeformSpec* present(const World& world) {
+  const DeformSpec* found = nullptr;
+  for (const DeformSpec& d : world.scene.periodic.deform)
+    if (world.time() >= d.start) found = &d;
+  return found;
+}
+
+void set_rates(World& world) {
+  const DeformSpec* spec = present(world);
+  world.cell.lattice.rate = spec != nullptr ? spec->strain_rates : Vec3d{};
+}
+
+}  // namespace
+
+void make_cell(World& world) {
+  const PeriodicSpec& s = world.scene.periodic;
+  Cell& cell = world.cell;
+  for (int k = 0; k < 3; ++k) {
+    if (!s.along(k)) continue;
+    cell.periodic = true;
+    cell.lower[k] = s.lower[k];
+    cell.centre[k] = 0.5 * (s.lower[k] + s.upper[k]);
+    cell.lattice.length[k] = s.upper[k] - s.lower[k];
+    cell.lattice.inverse[k] = 1 / cell.lattice.length[k];
+  }
+  cell.deforms = !s.deform.empty();
+  if (cell.periodic)
+    for (Motion& m : world.particles.motion) cell.wrap(m.position);
+}
+
+void start_cell(World& world) {
+  if (!world.cell.deforms) return;
+  const double dt = world.time_step.dt;
+  for (const DeformSpec& d : world.scene.periodic.deform) {
+    const double fastest = shapes::max_abs(d.strain_rates);
+    if (fastest * dt > largest_strain)
+      input_error(d.where, fmt::format("periodic.deform: a rate of {} 1/s changes the box by {:.3g} % in one time step "
+                                       "of {:.3g} s; allowed: up to {} %",
+                                       fastest, 100 * fastest * dt, dt, 100 * largest_strain));
+  }
+  world.cell.virial = virial_of(world, 1);
+  set_rates(world);
+}
+
+CellStep deform_box(Cell& cell, double dt) {
+  CellStep step;
+  for (int k = 0; k < 3; ++k) {
+    const double e = cell.lattice.rate[k] * dt;
+    step.slowed[k] = (1 - 0.25 * e) / (1 + 0.25 * e);
+    step.scale[k] = (1 + 0.5 * e) / (1 - 0.5 * e);
+    cell.stretch[k] *= step.scale[k];
+  }
+  cell.set_lengths(scaled(cell.lattice.length, step.scale));
+  return step;
+}
+
+void book_flow(World& world, const CellStep& step) {
+  Balance& b = world.balance;
+  for (int k = 0; k < 3; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const double now = b.initial_momentum[i] + b.impulse[i].value() - b.removed_momentum[i].value();
+    b.impulse[i].add(now * (step.slowed[k] - 1));
+  }
+}
+
+void finish_cell_step(World& world, int threads, double dt) {
+  Cell& cell = world.cell;
+  const double needed = 2 * world.contacts.largest_sum;
+  for (int k = 0; k < 3; ++k) {
+    const double length = cell.lattice.length[k];
+    if (length > 0 && length < needed)
+      throw RunError(
+          fmt::format("step {}: the periodic box has become {} m long in {}, too short for one image of "
+                      "each body at a time; allowed: from {} m, four times the largest bounding radius",
+                      world.step, length, "xyz"[k], needed));
+  }
+  const Mat3d virial = virial_of(world, threads);
+  for (int k = 0; k < 3; ++k)
+    cell.work.add(-0.5 * dt * cell.lattice.rate[k] * (cell.virial.row[k][k] + virial.row[k][k]));
+  cell.virial = virial;
+  set_rates(world);
+}
+
+bool is_whole(const World& world) {
+  for (int k = 0; k < world.scene.dimension; ++k)
+    if (!world.scene.periodic.along(k)) return false;
+  return true;
+}
+
+double cell_volume(const World& world) {
+  const Vec3d& length = world.cell.lattice.length;
+  return length.x * length.y * length.z;
+}
+
+Mat3d cell_stress(const World& world) {
+  Mat3d s = world.cell.deforms ? world.cell.virial : virial_of(world, 1);
+  for (Vec3d& row : s.row) row *= 1 / cell_volume(world);
+  return s;
+}
+
+double solid_fraction(const World& world) {
+  double sum = 0;
+  for (const std::uint32_t i : order_by_id(world)) {
+    const double r = world.particles.motion[i].equivalent_radius;
+    sum += r * r * r;
+  }
+  return sum * (4.0 / 3.0 * std::numbers::pi) / cell_volume(world);
+}
+
+Coordination coordination(const World& world) {
+  const Contacts& c = world.contacts;
+  const std::size_t count = world.particles.count();
+  Coordination result;
+  if (count == 0) return result;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (std::size_t k = 0; k < c.count(); ++k)
+    if (c.touching[k] != 0 && c.key[k].b < wall_base) pairs.emplace_back(std::minmax(c.index_a[k], c.index_b[k]));
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  const bool friction =
+      std::any_of(world.pairs.begin(), world.pairs.end(), [](const PairParameters& q) { return q.friction > 0; });
+  const std::uint32_t least = friction ? 2 : static_cast<std::uint32_t>(world.scene.dimension) + 1;
+  std::vector<std::uint8_t> rattles(count, 0);
+  std::size_t rattlers = 0, held = pairs.size();
+  for (bool changed = true; changed;) {
+    changed = false;
+    held = 0;
+    std::vector<std::uint32_t> contacts(count, 0);
+    for (const auto& [a, b] : pairs) {
+      if (rattles[a] != 0 || rattles[b] != 0) continue;
+      ++contacts[a];
+      ++contacts[b];
+      ++held;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      if (rattles[i] != 0 || contacts[i] >= least) continue;
+      rattles[i] = 1;
+      ++rattlers;
+      changed = true;
+    }
+  }
+  const auto n = static_cast<double>(count);
+  result.pairs = pairs.size();
+  result.all = 2 * static_cast<double>(pairs.size()) / n;
+  result.rattlers = static_cast<double>(rattlers) / n;
+  if (rattlers < count) result.backbone = 2 * static_cast<double>(held) / static_cast<double>(count - rattlers);
+  return result;
+}
+
+}  // namespace dem

@@ -1,0 +1,80 @@
+// Rules of periodic scenes: a box of some length, and walls, outlets and fills that are the same for every image; a box
+// that deforms is periodic along every axis.
+#include <fmt/format.h>
+
+#include "libdem/scene/rules.h"
+
+namespace dem {
+
+namespace {
+
+class PeriodicRules : RuleContext {
+ public:
+  explicit PeriodicRules(const RuleContext& context) : RuleContext(context), box_(scene.periodic) {}
+
+  void check() const {
+    for (int k = 0; k < 3; ++k)
+      if (box_.along(k) && !(box_.lower[k] < box_.upper[k]))
+        return wrong("periodic", 0, "upper", fmt::format("allowed periodic.upper > periodic.lower in {}", "xyz"[k]));
+    if (box_.axes == "none") return;
+    const std::string zero = fmt::format("allowed: 0 along periodic.axes = \"{}\"", box_.axes);
+    for (std::size_t i = 0; i < scene.walls.size(); ++i) {
+      const WallSpec& w = scene.walls[i];
+      if (w.kind != "plane")
+        wrong("wall", i, "kind", "with periodic.axes only planes are allowed: a mesh has no images");
+      if (w.kind == "plane" && crosses(w.normal)) wrong("wall", i, "normal", zero);
+      if (w.motion == WallMotion::rotation || w.motion == WallMotion::table)
+        wrong("wall", i, "motion", "allowed with periodic.axes: fixed, translation, oscillation, servo");
+    }
+    for (std::size_t i = 0; i < scene.outlets.size(); ++i)
+      if (crosses(scene.outlets[i].normal)) wrong("outlet", i, "normal", zero);
+    for (std::size_t i = 0; i < scene.fills.size(); ++i) fill(i);
+    if (!box_.deform.empty()) deform();
+  }
+
+ private:
+  bool crosses(const Vec3d& normal) const {
+    for (int k = 0; k < 3; ++k)
+      if (box_.along(k) && normal[k] != 0) return true;
+    return false;
+  }
+
+  void fill(std::size_t i) const {
+    const FillSpec& f = scene.fills[i];
+    for (int k = 0; k < 3; ++k) {
+      if (!box_.along(k)) continue;
+      for (const bool low : {true, false})
+        if (low ? f.lower[k] < box_.lower[k] : f.upper[k] > box_.upper[k])
+          wrong("fill", i, low ? "lower" : "upper",
+                fmt::format("allowed within the periodic box, {} = {} to {}", "xyz"[k], box_.lower[k], box_.upper[k]));
+    }
+  }
+
+  // Of the i-th entry of periodic.deform.
+  void wrong_deform(std::size_t i, const char* key, const std::string& problem) const {
+    const Node* list = node("periodic", 0, "deform");
+    const Node* entry = list != nullptr && i < list->items.size() ? &list->items[i] : nullptr;
+    const Node* value = entry != nullptr ? entry->get(key) : nullptr;
+    const Node* at = value != nullptr ? value : entry;
+    errors.add(at != nullptr ? at->position : Position{1, 1},
+               value != nullptr ? fmt::format("periodic.deform.{} = {}: {}", key, to_toml(*value), problem)
+                                : fmt::format("periodic.deform.{}: {}", key, problem));
+  }
+
+  void deform() const {
+    if (box_.axes != "xyz") wrong("periodic", 0, "axes", "a box that deforms is periodic along every axis: \"xyz\"");
+    if (!(scene.gravity == Vec3d{}))
+      wrong("world", 0, "gravity", "allowed with periodic.deform: [0, 0, 0], for nothing would hold the bodies");
+    for (std::size_t i = 1; i < box_.deform.size(); ++i)
+      if (!(box_.deform[i].start > box_.deform[i - 1].start))
+        wrong_deform(i, "start", fmt::format("does not follow {}: allowed are rising times", box_.deform[i - 1].start));
+  }
+
+  const PeriodicSpec& box_;
+};
+
+}  // namespace
+
+void check_periodic_rules(const RuleContext& context) { PeriodicRules(context).check(); }
+
+}  // namespace dem
