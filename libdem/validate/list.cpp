@@ -2,14 +2,11 @@
 
 namespace dem::validate {
 
-extern const Validation two_bodies, box_stack, vibrated_bed, triaxial_fcc;
+extern const Validation two_bodies, box_stack, vibrated_bed, triaxial_fcc, silo;
 
 const std::vector<const Validation*>& validations() {
   static const std::vector<const Validation*> list{
-      &two_bodies,
-      &box_stack,
-      &vibrated_bed,
-      &triaxial_fcc,
+      &two_bodies, &box_stack, &vibrated_bed, &triaxial_fcc, &silo,
   };
   return list;
 }
