@@ -5,11 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "libcontact/laws/mix.h"
 #include "libdem/broad_phase/candidates.h"
 #include "libdem/deformation.h"
+#include "libdem/events/events.h"
 #include "libdem/forces.h"
+#include "libdem/insertion/rain.h"
+#include "libdem/insertion/region.h"
 #include "libdem/integrators/rotation.h"
 #include "libdem/walls.h"
 
@@ -27,6 +31,34 @@ std::uint32_t material_index(const World& world, const std::string& name, const 
   input_error(where, "material \"" + name + "\" is not defined");
 }
 
+std::uint32_t species_index(const World& world, const std::string& name, const Where& where) {
+  if (name.empty()) return 0;
+  for (std::size_t i = 0; i < world.scene.species.size(); ++i)
+    if (world.scene.species[i].name == name) return static_cast<std::uint32_t>(i + 1);
+  input_error(where, "species \"" + name + "\" is not defined");
+}
+
+const std::string& species_name(const World& world, std::uint32_t species) {
+  static const std::string none = "none";
+  return species == 0 ? none : world.scene.species[species - 1].name;
+}
+
+Quatd random_orientation(const World& world, Random& random) {
+  return world.scene.dimension == 2 ? random.turn() : random.rotation();
+}
+
+void tag_species(World& world, const SpeciesSpec& spec) {
+  const std::uint32_t tag = species_index(world, spec.name, spec.where);
+  std::optional<Region> region;
+  if (!spec.region.empty()) region.emplace(region_of(world, spec.region));
+  Particles& p = world.particles;
+  for (std::size_t i = 0; i < p.count(); ++i)
+    if ((!region || region->holds(p.motion[i].position)) &&
+        (spec.material.empty() || world.scene.materials[p.material[i]].name == spec.material) &&
+        (spec.shape.empty() || world.shapes[p.shape[i]].name == spec.shape))
+      p.species[i] = tag;
+}
+
 void add_particle(World& world, std::uint32_t shape, std::uint32_t material, double scale, const Vec3d& position,
                   const Quatd& orientation, const Vec3d& velocity, const Vec3d& spin) {
   const ShapeEntry& s = world.shapes[shape];
@@ -39,6 +71,7 @@ void add_particle(World& world, std::uint32_t shape, std::uint32_t material, dou
   p.orientation.push_back(shapes::normalized(orientation));
   p.motion.push_back({.position = position, .velocity = velocity, .spin = spin});
   p.mass.push_back(0);
+  p.species.push_back(0);
   for (auto* list : {&p.inertia, &p.rotation, &p.angular_momentum, &p.force, &p.torque}) list->push_back({});
   set_mass(world, p.count() - 1, scale);
   ++world.counters.inserted;
@@ -57,6 +90,11 @@ void set_mass(World& world, std::size_t i, double scale) {
   m.equivalent_radius = s.equivalent_radius * scale;
   const shapes::Mat3d r = shapes::rotation_matrix(p.orientation[i]);
   p.angular_momentum[i] = r * shapes::scaled(p.inertia[i], shapes::transposed_times(r, m.spin));
+}
+
+double inscribed_radius(const World& world, std::size_t i) {
+  const ShapeEntry& s = world.shapes[world.particles.shape[i]];
+  return s.inscribed_radius * (world.particles.motion[i].bounding_radius / s.circumradius);
 }
 
 namespace {
@@ -84,11 +122,6 @@ void mix_materials(World& world) {
   }
 }
 
-double inscribed_radius(const World& world, std::size_t i) {
-  const ShapeEntry& s = world.shapes[world.particles.shape[i]];
-  return s.inscribed_radius * (world.particles.motion[i].bounding_radius / s.circumradius);
-}
-
 // Contacts of the scene as given must be shallow: anything else is a mistake that would explode.
 void check_initial_overlap(const World& world, const std::vector<const Where*>& where) {
   const Contacts& c = world.contacts;
@@ -112,6 +145,7 @@ void check_initial_overlap(const World& world, const std::vector<const Where*>& 
 void check_methods(const World& world) {
   std::array<bool, shapes::kind_count> present{};
   for (const shapes::Kind k : world.particles.kind) present[static_cast<std::size_t>(k)] = true;
+  for (const Draft& d : coming_bodies(world)) present[static_cast<std::size_t>(world.shapes[d.shape].kind)] = true;
   std::array<bool, shapes::kind_count> other = present;
   for (const Wall& w : world.walls) other[static_cast<std::size_t>(w.kind)] = true;
   for (std::size_t a = 0; a < shapes::kind_count; ++a)
@@ -129,6 +163,8 @@ void check_methods(const World& world) {
 void check_cell(const World& world) {
   double largest = 0;
   for (const Motion& m : world.particles.motion) largest = std::max(largest, m.bounding_radius);
+  for (const RainSpec& r : world.scene.rains)
+    largest = std::max(largest, Recipe(world, r.items, r.where).largest_radius());
   const double needed = 2 * (2 * largest + world.skin);
   for (int k = 0; k < 3; ++k) {
     const double length = world.cell.lattice.length[k];
@@ -140,10 +176,26 @@ void check_cell(const World& world) {
   }
 }
 
+void check_recycling(const World& world) {
+  double largest = 0;
+  for (const Motion& m : world.particles.motion) largest = std::max(largest, m.bounding_radius);
+  for (const RainSpec& r : world.scene.rains)
+    largest = std::max(largest, Recipe(world, r.items, r.where).largest_radius());
+  for (const OutletSpec& o : world.scene.outlets)
+    if (!o.recycle_to.empty() && !region_of(world, o.recycle_to).has_room_for(largest))
+      input_error(o.where, "outlet \"" + o.name + "\": region \"" + o.recycle_to +
+                               "\" has no room for the largest body, of bounding diameter " +
+                               std::to_string(2 * largest) + " m");
+}
+
 double automatic_skin(const World& world) {
   double smallest = 0;
   for (const Motion& m : world.particles.motion)
     smallest = smallest == 0 ? m.equivalent_radius : std::min(smallest, m.equivalent_radius);
+  for (const Draft& d : coming_bodies(world)) {
+    const double radius = world.shapes[d.shape].equivalent_radius * d.scale;
+    smallest = smallest == 0 ? radius : std::min(smallest, radius);
+  }
   return 0.2 * smallest;
 }
 
@@ -159,24 +211,37 @@ World build_world(const Scene& scene) {
     for (const Wall& w : world.walls)
       for (const auto& row : w.motion.displacements)
         if (row[3] != 0) input_error(w.motion.where, "wall \"" + w.name + "\" leaves the plane z = 0 of a 2-D scene");
+  make_cell(world);
+  const auto wrap = [&] {
+    if (world.cell.periodic)
+      for (Motion& m : world.particles.motion) world.cell.wrap(m.position);
+  };
   std::vector<const Where*> where;
   const auto mark = [&](const Where& w) { where.resize(world.particles.count(), &w); };
   for (const BodySpec& b : scene.bodies) {
     add_particle(world, shape_index(world, b.shape, b.where), material_index(world, b.material, b.where), b.scale,
                  b.position, b.orientation, b.velocity, b.spin);
+    world.particles.species.back() = species_index(world, b.species, b.where);
     mark(b.where);
   }
   for (const CsvSpec& c : scene.csv) {
     add_csv(world, c);
     mark(c.where);
   }
+  wrap();
   std::uint64_t stream = 0;
   for (const FillSpec& f : scene.fills) {
     add_fill(world, f, stream++);
     mark(f.where);
   }
-  make_cell(world);
-  for (const OutletSpec& o : scene.outlets) world.outlets.push_back({o.name, 0, 0});
+  wrap();
+  for (const OutletSpec& o : scene.outlets)
+    world.outlets.push_back({.name = o.name, .by_species = std::vector<std::uint64_t>(scene.species.size() + 1)});
+  for (const SpeciesSpec& s : scene.species)
+    if (!s.region.empty() || !s.material.empty() || !s.shape.empty()) tag_species(world, s);
+  prepare_rain(world);
+  prepare_events(world);
+  check_recycling(world);
   for (std::size_t i = 0; i < world.particles.count(); ++i) {
     if (turns_uniformly(world.particles.kind[i])) continue;
     world.particles.motion[i].spin =
@@ -195,7 +260,7 @@ World build_world(const Scene& scene) {
   const Vec3d p = momentum(world);
   world.balance.initial_momentum = {p.x, p.y, p.z};
   for (const std::uint32_t i : order_by_id(world)) world.balance.initial_mass += world.particles.mass[i];
-  world.balance.present_mass = world.balance.initial_mass;
+  world.balance.present.add(world.balance.initial_mass);
   return world;
 }
 

@@ -1,6 +1,7 @@
 // The pieces of build_world.
 #pragma once
 
+#include "libdem/random.h"
 #include "libdem/world.h"
 
 namespace dem {
@@ -29,6 +30,13 @@ double contact_resistance(const World& world, std::size_t record);
 // The smallest limit of the contacts as they are now, s; +infinity without contacts.
 double present_limit(const World& world);
 
+double inscribed_radius(const World& world, std::size_t i);
+// At random in the way of the scene: about z in two dimensions.
+Quatd random_orientation(const World& world, Random& random);
+// Gives bodies their species: those that are in the region, of the material and of the shape, where they are named.
+void tag_species(World& world, const SpeciesSpec& spec);
+
+std::uint32_t species_index(const World& world, const std::string& name, const Where& where);  // "": 0, none
 std::uint32_t shape_index(const World& world, const std::string& name, const Where& where);
 std::uint32_t material_index(const World& world, const std::string& name, const Where& where);
 

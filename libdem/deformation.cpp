@@ -80,8 +80,6 @@ void make_cell(World& world) {
     cell.lattice.inverse[k] = 1 / cell.lattice.length[k];
   }
   cell.deforms = !s.deform.empty();
-  if (cell.periodic)
-    for (Motion& m : world.particles.motion) cell.wrap(m.position);
 }
 
 void start_cell(World& world) {

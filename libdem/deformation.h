@@ -17,7 +17,7 @@ struct CellStep {         // (1) over one step
   Vec3d scale{1, 1, 1};   // of the box
 };
 
-// The cell of a scene at t = 0; takes the bodies into it.
+// The cell of a scene at t = 0; taking the bodies into it is the caller's.
 void make_cell(World& world);
 // Before the first step, with forces: stress and rates. Throws InputError when a rate is too fast for the time step.
 void start_cell(World& world);

@@ -1,80 +1,55 @@
-// Bodies that a scene asks for by number or by table.
+// Bodies that a scene asks for by amount or by table.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "libdem/build.h"
+#include "libdem/insertion/place.h"
 #include "libdem/io/io.h"
-#include "libdem/random.h"
 
 namespace dem {
 namespace {
 
-struct Draft {
-  std::uint32_t shape, material;
-  double scale;
-};
-
-// Largest-remainder shares of `count`, then a shuffle that depends on (seed, stream) alone.
-std::vector<Draft> drafts(const World& world, const FillSpec& f, std::uint64_t stream) {
-  double weights = 0;
-  for (const FillItem& i : f.items) weights += i.weight;
-  std::vector<std::pair<double, std::size_t>> rest;
-  std::vector<std::uint64_t> number(f.items.size());
-  std::uint64_t given = 0;
-  for (std::size_t i = 0; i < f.items.size(); ++i) {
-    const double exact = static_cast<double>(f.count) * (f.items[i].weight / weights);
-    number[i] = static_cast<std::uint64_t>(exact);
-    given += number[i];
-    rest.emplace_back(static_cast<double>(number[i]) - exact, i);
+std::vector<Draft> drafts(const World& world, const FillSpec& f, const Region& region, const Recipe& recipe,
+                          std::uint64_t stream) {
+  if (f.count > 0) {
+    if (const double room = recipe.least_room(f.count); room > region.size())
+      input_error(f.where, fmt::format("fill: the bounding spheres of {} bodies alone are {:.3g} times as large as the "
+                                       "region; make it larger or the count smaller",
+                                       f.count, room / region.size()));
+    return recipe.list(f.count, stream);
   }
-  std::sort(rest.begin(), rest.end());
-  for (std::size_t k = 0; given < f.count; ++k, ++given) ++number[rest[k % rest.size()].second];
-  std::vector<Draft> list;
-  for (std::size_t i = 0; i < f.items.size(); ++i) {
-    const FillItem& item = f.items[i];
-    const std::uint32_t s = shape_index(world, item.shape, f.where), m = material_index(world, item.material, f.where);
-    for (std::uint64_t k = 0; k < number[i]; ++k) {
-      Random random(world.scene.run.seed, 2 * stream, list.size());
-      list.push_back({s, m, item.scale_min + (item.scale_max - item.scale_min) * random.uniform()});
-    }
+  if (f.solid_fraction > 0 || f.mass > 0) {
+    const bool mass = f.mass > 0;
+    auto list = list_of_amount(recipe, mass ? Amount::mass : Amount::solid,
+                               mass ? f.mass : f.solid_fraction * region.size(), region.size(), stream);
+    if (!list)
+      input_error(f.where,
+                  fmt::format("fill: {} = {} needs more bodies than the region holds, or more than {}",
+                              mass ? "mass" : "solid_fraction", mass ? f.mass : f.solid_fraction, most_bodies));
+    return *std::move(list);
   }
-  for (std::size_t i = list.size(); i > 1; --i) {
-    Random random(world.scene.run.seed, 2 * stream + 1, i);
-    std::swap(list[i - 1], list[random.bits() % i]);
-  }
-  return list;
+  const std::uint64_t sites = site_count(world, f, region, recipe.largest_radius());
+  if (sites == 0) input_error(f.where, "fill: the lattice has no free site in the region");
+  return recipe.list(sites, stream);
 }
 
 }  // namespace
 
-// A cubic lattice of spacing twice the largest bounding radius, filled from below; each body sits at random within the
-// free room of its cell and is turned at random.
 void add_fill(World& world, const FillSpec& f, std::uint64_t stream) {
-  const std::vector<Draft> list = drafts(world, f, stream);
-  double radius = 0;
-  for (const Draft& d : list) radius = std::max(radius, d.scale * world.shapes[d.shape].circumradius);
-  const double cell = 2 * radius;
-  const Vec3d extent = f.upper - f.lower;
-  std::uint64_t n[3] = {1, 1, 1}, room = 1;
-  const bool planar = world.scene.dimension == 2;
-  for (int k = 0; k < (planar ? 2 : 3); ++k)
-    room *= n[k] = static_cast<std::uint64_t>(std::max(0.0, std::floor(extent[k] / cell)));
-  if (room < list.size())
-    input_error(f.where, "fill: " + std::to_string(list.size()) + " bodies asked for, room for " +
-                             std::to_string(room) + " of the largest bounding sphere (diameter " +
-                             std::to_string(cell) + " m); make the box larger or the count smaller");
-  const Vec3d pitch{extent.x / static_cast<double>(n[0]), planar ? cell : extent.y / static_cast<double>(n[1]), cell};
+  RegionSpec box;
+  box.lower = f.lower;
+  box.upper = f.upper;
+  const Region region = f.region.empty() ? Region(box, dimension_of(world)) : region_of(world, f.region);
+  const Recipe recipe(world, f.items, f.where);
+  const std::vector<Draft> list = drafts(world, f, region, recipe, stream);
+  const std::vector<Place> found = places(world, f, region, recipe, list, stream);
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const Draft& d = list[i];
-    Random random(world.scene.run.seed, (std::uint64_t(1) << 32) + stream, i);
-    const double r = d.scale * world.shapes[d.shape].circumradius;
-    const std::uint64_t cell_of[3] = {i % n[0], i / n[0] % n[1], i / (n[0] * n[1])};
-    Vec3d x;
-    for (int k = 0; k < (planar ? 2 : 3); ++k)
-      x[k] = f.lower[k] + pitch[k] * (static_cast<double>(cell_of[k]) + 0.5) +
-             (0.5 * pitch[k] - r) * random.uniform(-1, 1);
-    add_particle(world, d.shape, d.material, d.scale, x, planar ? random.turn() : random.rotation(), f.velocity, {});
+    add_particle(world, list[i].shape, list[i].material, list[i].scale, found[i].position, found[i].orientation,
+                 f.velocity, {});
+    world.particles.species.back() = list[i].species;
   }
 }
 
@@ -86,8 +61,9 @@ void add_csv(World& world, const CsvSpec& spec) {
   const auto value = [&](std::size_t row, const char* name, double otherwise) {
     return has(name) ? io::number(table, row, column[name]) : otherwise;
   };
-  static constexpr const char* known[] = {"x",  "y",  "z",  "radius", "scale", "qw", "qx", "qy",    "qz",
-                                          "vx", "vy", "vz", "wx",     "wy",    "wz", "id", "shape", "material"};
+  static constexpr const char* known[] = {"x",  "y",  "z",     "radius",   "scale",  "qw", "qx",
+                                          "qy", "qz", "vx",    "vy",       "vz",     "wx", "wy",
+                                          "wz", "id", "shape", "material", "species"};
   for (const std::string& name : table.columns)
     if (std::find(std::begin(known), std::end(known), name) == std::end(known))
       input_error({spec.file, table.header_line, 1}, "column \"" + name + "\" is not known");
@@ -113,6 +89,7 @@ void add_csv(World& world, const CsvSpec& spec) {
     add_particle(world, s, m, scale, {value(r, "x", 0), value(r, "y", 0), value(r, "z", 0)}, q,
                  {value(r, "vx", 0), value(r, "vy", 0), value(r, "vz", 0)},
                  {value(r, "wx", 0), value(r, "wy", 0), value(r, "wz", 0)});
+    if (has("species")) world.particles.species.back() = species_index(world, table.rows[r][column["species"]], here);
   }
 }
 

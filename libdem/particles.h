@@ -37,7 +37,26 @@ struct Particles {
   std::vector<Vec3d> inertia;           // principal, kg m²
   std::vector<double> mass;             // kg
   std::vector<Vec3d> force, torque;     // N, N m (gravity not included)
+  std::vector<std::uint32_t> species;   // 0: none; else 1 + index into Scene::species
   std::size_t count() const { return id.size(); }
+  // visit(array) for every array, always in this order: what sorting, deleting and saving run over.
+  template <class Self, class Visit>
+  static void each_array(Self& p, Visit visit) {
+    visit(p.id);
+    visit(p.shape);
+    visit(p.kind);
+    visit(p.material);
+    visit(p.size);
+    visit(p.motion);
+    visit(p.orientation);
+    visit(p.rotation);
+    visit(p.angular_momentum);
+    visit(p.inertia);
+    visit(p.mass);
+    visit(p.force);
+    visit(p.torque);
+    visit(p.species);
+  }
 };
 
 }  // namespace dem

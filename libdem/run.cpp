@@ -36,7 +36,6 @@ class Output {
         frame_every_(steps_between(world.scene.output.interval, world.time_step.dt)),
         checkpoint_every_(steps_between(world.scene.output.checkpoint_interval, world.time_step.dt)),
         cell_every_(steps_between(world.scene.output.cell_interval, world.time_step.dt)),
-        first_step_(world.step),
         silent_(options.folder.empty()) {
     if (silent_) return;
     fs::create_directories(options.folder);
@@ -83,14 +82,14 @@ class Output {
       render::write_png(path("final.png"), render::draw(world, render::View{}));
   }
   void summary(const World& world, const std::string& end) const {
-    if (!silent_) io::write_summary(path("summary.json"), world, end, options_.threads, first_step_);
+    if (!silent_) io::write_summary(path("summary.json"), world, end, options_.threads);
   }
 
  private:
   std::string path(const char* name) const { return options_.folder + "/" + name; }
 
   const RunOptions& options_;
-  std::uint64_t frame_every_, checkpoint_every_, cell_every_, first_step_;
+  std::uint64_t frame_every_, checkpoint_every_, cell_every_;
   bool silent_;
   std::optional<io::VtkSeries> vtk_;
   std::optional<io::Record> record_;
@@ -108,13 +107,12 @@ void timed(double& sum, Work&& work) {
 }  // namespace
 
 RunEnd run(World& world, const RunOptions& options, bool resumed) {
-  const std::uint64_t last = total_steps(world);
   const auto began = Clock::now();
   Output output(world, options, resumed);
   world.times.output += seconds_since(began);
   auto shown = Clock::now();
   try {
-    while (world.step < last) {
+    while (!finished(world)) {
       if (options.interrupt && options.interrupt->load(std::memory_order_relaxed)) {
         timed(world.times.output, [&] {
           output.checkpoint(world);
@@ -141,7 +139,8 @@ RunEnd run(World& world, const RunOptions& options, bool resumed) {
     output.state(world);
     output.picture(world);
   });
-  output.summary(world, "finished");  // the last file: where it says so, the run is complete
+  output.summary(world, world.ended_by > 0 ? "finished: " + ended_by(world)
+                                           : "finished");  // the last file: where it says so, the run is complete
   return RunEnd::finished;
 }
 

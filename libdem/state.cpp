@@ -70,7 +70,10 @@ struct WallState {
   Quatd orientation;
   Vec3d velocity, spin, force, torque;
   double resistance;
-  std::uint64_t present;
+  Vec3d reference;  // events move these four
+  Quatd reference_orientation;
+  double start, stop;
+  std::uint64_t present, unchecked;
 };
 
 template <class Archive, class W>
@@ -83,19 +86,7 @@ void particles(Archive& a, W& world) {
   a.value(world.counters);
   a.value(world.balance);
   a.list(world.discharge);
-  a.list(p.id);
-  a.list(p.shape);
-  a.list(p.kind);
-  a.list(p.material);
-  a.list(p.size);
-  a.list(p.motion);
-  a.list(p.orientation);
-  a.list(p.rotation);
-  a.list(p.angular_momentum);
-  a.list(p.inertia);
-  a.list(p.mass);
-  a.list(p.force);
-  a.list(p.torque);
+  std::remove_reference_t<decltype(p)>::each_array(p, [&](auto& array) { a.list(array); });
   auto& cell = world.cell;
   a.value(cell.lower);
   a.value(cell.lattice);
@@ -104,7 +95,27 @@ void particles(Archive& a, W& world) {
   for (auto& o : world.outlets) {
     a.value(o.count);
     a.value(o.mass);
+    a.list(o.by_species);
+    a.value(o.tries);
+    a.value(o.waits);
   }
+  a.value(world.scene.gravity);
+  a.list(world.pairs);
+  for (auto& r : world.rains) {
+    a.value(r.active);
+    a.value(r.count);
+    a.value(r.tries);
+    a.value(r.waits);
+    a.value(r.mass);
+    a.value(r.since);
+    a.value(r.count_before);
+    a.value(r.mass_before);
+  }
+  for (auto& e : world.events) {
+    a.value(e.met);
+    a.value(e.done);
+  }
+  a.value(world.ended_by);
 }
 
 }  // namespace
@@ -113,8 +124,9 @@ std::vector<std::uint8_t> save_state(const World& world) {
   Writer w;
   particles(w, world);
   for (const Wall& x : world.walls)
-    w.value(
-        WallState{x.position, x.orientation, x.velocity, x.spin, x.force, x.torque, x.resistance, x.present ? 1u : 0u});
+    w.value(WallState{x.position, x.orientation, x.velocity, x.spin, x.force, x.torque, x.resistance, x.reference,
+                      x.reference_orientation, x.motion.start, x.motion.stop, x.present ? 1u : 0u,
+                      x.unchecked ? 1u : 0u});
   const Contacts& c = world.contacts;
   std::vector<Kept> kept;
   for (std::size_t k = 0; k < c.count(); ++k)
@@ -138,7 +150,12 @@ void load_state(World& world, const std::vector<std::uint8_t>& bytes) {
     x.force = s.force;
     x.torque = s.torque;
     x.resistance = s.resistance;
+    x.reference = s.reference;
+    x.reference_orientation = s.reference_orientation;
+    x.motion.start = s.start;
+    x.motion.stop = s.stop;
     x.present = s.present != 0;
+    x.unchecked = s.unchecked != 0;
   }
   std::vector<Kept> kept;
   r.list(kept);

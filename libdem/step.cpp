@@ -8,7 +8,9 @@
 #include "libdem/broad_phase/candidates.h"
 #include "libdem/build.h"
 #include "libdem/deformation.h"
+#include "libdem/events/events.h"
 #include "libdem/forces.h"
+#include "libdem/insertion/rain.h"
 #include "libdem/integrators/rotation.h"
 #include "libdem/outlets.h"
 #include "libdem/walls.h"
@@ -100,7 +102,7 @@ void kick_again(World& world, int threads, double dt, const CellStep& flow) {
 void book_impulse(World& world, double h) {
   Vec3d f{};
   for (const Wall& w : world.walls) f -= w.force;
-  f += world.scene.gravity * world.balance.present_mass;
+  f += world.scene.gravity * world.balance.present.value();
   for (int k = 0; k < 3; ++k) world.balance.impulse[static_cast<std::size_t>(k)].add(f[k] * h);
 }
 
@@ -140,11 +142,13 @@ void advance(World& world, int threads) {
   const auto walls = std::chrono::steady_clock::now();
   move_walls(world);
   remove_behind_outlets(world);
+  if (!world.rains.empty()) insert_rain(world);
   world.times.walls += seconds_since(walls);
 
   if (candidates_outdated(world)) rebuild_candidates(world, threads);
   compute_forces(world, threads, dt);
   sum_forces(world, threads);
+  check_inserted_walls(world);
 
   const auto end = std::chrono::steady_clock::now();
   kick_again(world, threads, dt, flow);
@@ -152,6 +156,8 @@ void advance(World& world, int threads) {
   book_impulse(world, 0.5 * dt);
   if (deforms) finish_cell_step(world, threads, dt);
   if (world.step % monitor_every == 0) monitor(world);
+  if (!world.events.empty() || !world.until.empty()) apply_events(world);
+  world.times.particle_steps += world.particles.count();
   world.times.integrate += seconds_since(end);
   world.times.loop += seconds_since(begin);
 }

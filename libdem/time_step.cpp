@@ -10,6 +10,7 @@
 
 #include "libcontact/laws/list.h"
 #include "libdem/build.h"
+#include "libdem/insertion/rain.h"
 
 namespace dem {
 namespace {
@@ -67,7 +68,27 @@ double contact_resistance(const World& world, std::size_t k) {
   return (1 + 2 * law_beta(world, q)) * std::sqrt(contact_stiffness(world, k).n * world.particles.mass[a]);
 }
 
-TimeStep choose_time_step(const World& world) {
+namespace {
+
+// The world as it may become: with the smallest bodies that rain will bring and the friction that events will set.
+World foreseen(World world) {
+  for (const Draft& d : coming_bodies(world)) add_particle(world, d.shape, d.material, d.scale, {}, {}, {}, {});
+  const std::size_t n = world.materials.size();
+  for (const EventSpec& e : world.scene.events) {
+    if (std::isnan(e.friction)) continue;
+    const std::size_t i = material_index(world, e.a, e.where), j = material_index(world, e.b, e.where);
+    for (PairParameters* q : {&world.pairs[i * n + j], &world.pairs[j * n + i]})
+      q->friction = std::max(q->friction, e.friction);
+  }
+  return world;
+}
+
+}  // namespace
+
+TimeStep choose_time_step(const World& now) {
+  const bool same = now.scene.rains.empty() && now.scene.events.empty();
+  const World later = same ? World{} : foreseen(now);
+  const World& world = same ? now : later;
   const Particles& p = world.particles;
   const std::size_t materials = world.materials.size();
   TimeStep best;

@@ -9,6 +9,8 @@
 #include "libdem/walls.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "libdem/build.h"
@@ -93,7 +95,7 @@ void place(Wall& w, double time, double dt) {
 void push(Wall& w, double time, double dt) {
   const WallSpec& m = w.motion;
   w.velocity = {};
-  if (time < m.start || time >= m.stop) return;
+  if (!w.present || time < m.start || time >= m.stop) return;
   const double missing = w.target + dot(w.push, w.force);  // the force of the bodies is against the push
   const double limit = m.speed_limit, most = w.resistance * limit, wanted = m.gain * missing;
   const double speed = wanted >= most ? limit : wanted <= -most ? -limit : wanted / w.resistance;
@@ -102,6 +104,23 @@ void push(Wall& w, double time, double dt) {
 }
 
 }  // namespace
+
+void start_motion(Wall& w, double time) {
+  const bool moved = std::isfinite(w.motion.start);
+  w.motion.start = time;
+  w.motion.stop = std::numeric_limits<double>::infinity();
+  if (!moved || w.motion.motion == WallMotion::servo) return;
+  const Vec3d here = w.reference = w.position;
+  const Quatd turned = w.reference_orientation = w.orientation;
+  place(w, time, 0);  // where the motion itself would begin
+  const Quatd first = w.orientation * conjugate(turned);
+  w.reference += shapes::rotate(conjugate(first), here - w.position);
+  if (w.motion.motion == WallMotion::table && !w.motion.turns.empty())
+    w.reference_orientation = shapes::normalized(conjugate(first) * turned);
+  place(w, time, 0);
+}
+
+void stop_motion(Wall& w, double time) { w.motion.stop = time; }
 
 void sum_resistance(World& world) {
   bool servo = false;

@@ -106,6 +106,7 @@ Wall make_wall(const WallSpec& s, std::uint32_t material) {
     }
     for (const Vec3d& v : w.mesh->vertices) w.extent = std::max(w.extent, shapes::norm(v));
   }
+  w.present = s.present;
   w.position = w.list_position = w.reference;
   w.orientation = w.list_orientation = w.reference_orientation;
   if (s.motion == WallMotion::table && !s.table_file.empty()) read_motion(w.motion);

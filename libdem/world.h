@@ -12,6 +12,7 @@
 #include "libdem/accumulator.h"
 #include "libdem/cell.h"
 #include "libdem/contacts.h"
+#include "libdem/events/condition.h"
 #include "libdem/particles.h"
 #include "libdem/scene/scene.h"
 
@@ -46,8 +47,9 @@ struct Wall {
   Vec3d reference{};         // position at t = 0
   Quatd reference_orientation{};
   bool present = true;
-  double extent = 0;      // m, largest distance of a mesh vertex from the origin
-  Vec3d list_position{};  // at the last rebuild of the list
+  bool unchecked = false;  // inserted by an event, not yet tried against the bodies
+  double extent = 0;       // m, largest distance of a mesh vertex from the origin
+  Vec3d list_position{};   // at the last rebuild of the list
   Quatd list_orientation{};
   Vec3d force{}, torque{};  // of the particles on the wall, this step: N, N m about its origin
   Vec3d push{};             // servo: unit, along which it pushes
@@ -60,26 +62,48 @@ struct Counters {
   std::uint64_t deleted = 0, inserted = 0;
 };
 
-struct Balance {                                // momentum and energy book-keeping over the whole run
-  std::array<Accumulator, 3> impulse;           // ∫(external forces) dt: gravity and walls, N s
-  std::array<Accumulator, 3> removed_momentum;  // carried out by deleted bodies, kg m/s
+struct Balance {                                 // momentum and energy book-keeping over the whole run
+  std::array<Accumulator, 3> impulse;            // ∫(external forces) dt: gravity and walls, N s
+  std::array<Accumulator, 3> removed_momentum;   // carried out by deleted and recycled bodies, kg m/s
+  std::array<Accumulator, 3> inserted_momentum;  // brought in by rain and recycled bodies, kg m/s
   std::array<double, 3> initial_momentum{};
-  double removed_mass = 0, initial_mass = 0, present_mass = 0;  // kg
+  Accumulator present;                                           // mass of the bodies present, kg
+  double removed_mass = 0, inserted_mass = 0, initial_mass = 0;  // kg; recycling neither removes nor inserts mass
+  std::uint64_t inserted_count = 0;
 };
 
 struct OutletRecord {
   std::string name;
   std::uint64_t count = 0;
-  double mass = 0;  // kg
+  double mass = 0;                        // kg
+  std::vector<std::uint64_t> by_species;  // counts; first: of none
+  std::uint64_t tries = 0, waits = 0;     // recycling: positions tried; steps that a body waited for one
 };
 
 struct DischargePoint {
   double time;
-  std::uint64_t count;
+  std::uint64_t count;  // by all outlets, as is the mass
   double mass;
+  std::uint32_t outlet = 0, species = 0;  // of the body that left
 };
 
-struct PhaseTimes {  // wall seconds
+struct RainRecord {
+  std::string name;
+  std::uint64_t active = 1, count = 0, tries = 0;
+  std::uint64_t waits = 0;  // steps at which a body found no free place
+  double mass = 0;          // kg
+  double since = 0;         // s, when it was last started, and what it had made by then
+  std::uint64_t count_before = 0;
+  double mass_before = 0;
+};
+
+struct EventRecord {
+  std::string name;
+  std::uint64_t met = 0, done = 0;  // steps at which its condition held and it happened; 0: not yet
+};
+
+struct PhaseTimes {                  // wall seconds
+  std::uint64_t particle_steps = 0;  // in that time
   double broad = 0, query = 0, sum = 0, integrate = 0, walls = 0, output = 0, loop = 0;
 };
 
@@ -106,8 +130,13 @@ struct World {
   Counters counters;
   Balance balance;
   std::vector<OutletRecord> outlets;
-  std::vector<DischargePoint> discharge;  // one entry each time the count changes
-  PhaseTimes times;                       // not part of the state
+  std::vector<DischargePoint> discharge;  // one entry for each body that left
+  std::vector<RainRecord> rains;
+  std::vector<EventRecord> events;
+  std::vector<Condition> conditions;  // of the events; not part of the state
+  Condition until;
+  std::uint64_t ended_by = 0;  // 0: not yet; 1: run.until; 2 + i: event i
+  PhaseTimes times;            // not part of the state
   double time() const { return static_cast<double>(step) * time_step.dt; }
 };
 
@@ -115,6 +144,9 @@ struct World {
 World build_world(const Scene& scene);
 // The number of steps that run.time or run.steps asks for.
 std::uint64_t total_steps(const World& world);
+// Whether the run has come to its end: these steps, run.until, or an event that stops it; and which of the latter two.
+bool finished(const World& world);
+std::string ended_by(const World& world);
 // Advances by one step. threads >= 1. Throws RunError when a monitored bound is passed or a value is
 // not finite.
 void advance(World& world, int threads);
@@ -135,6 +167,8 @@ struct ContactReport {
 };
 std::vector<ContactReport> touching_contacts(const World& world);
 
+// "none" for 0.
+const std::string& species_name(const World& world, std::uint32_t species);
 // Storage indices of the particles in order of id.
 std::vector<std::uint32_t> order_by_id(const World& world);
 

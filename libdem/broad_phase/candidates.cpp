@@ -140,19 +140,7 @@ void sort_in_space(World& world) {
   const Cells cells(
       p.count(), [&](std::size_t i) -> const Vec3d& { return p.motion[i].position; }, reach_of(world), world.cell);
   const std::vector<std::uint32_t>& order = cells.order();
-  permute(p.id, order);
-  permute(p.shape, order);
-  permute(p.kind, order);
-  permute(p.material, order);
-  permute(p.size, order);
-  permute(p.motion, order);
-  permute(p.orientation, order);
-  permute(p.rotation, order);
-  permute(p.angular_momentum, order);
-  permute(p.inertia, order);
-  permute(p.mass, order);
-  permute(p.force, order);
-  permute(p.torque, order);
+  Particles::each_array(p, [&](auto& array) { permute(array, order); });
 }
 
 constexpr std::uint64_t sort_every = 16;  // rebuilds

@@ -95,7 +95,8 @@ void add_render(CLI::App& app, RenderArguments& a, std::string& size) {
                           "  dem render out/hopper --movie");
   sub->add_option("folder", a.folder, "Folder of the run")->required()->type_name("DIR");
   auto* frame = sub->add_option("--frame", a.frame, "A frame of the record, from 0 (default: the last state)");
-  sub->add_option("--color-by", a.color_by, "speed, id, shape, size, material or force")->capture_default_str();
+  sub->add_option("--color-by", a.color_by, "speed, id, shape, size, material, species or force")
+      ->capture_default_str();
   sub->add_flag("--movie", a.movie, "All frames as a movie (ffmpeg), or as numbered pictures")->excludes(frame);
   sub->add_option("--size", size, "Width x height in pixels")->capture_default_str()->type_name("WxH");
 }

@@ -34,6 +34,13 @@ void report(const World& world, const std::string& folder) {
              c.contact_steps, rate_text(static_cast<double>(c.contact_steps) * per_second), c.not_converged,
              c.uncertified);
   for (const OutletRecord& o : world.outlets) fmt::print("outlet {}: {} bodies, {:.6g} kg\n", o.name, o.count, o.mass);
+  for (const RainRecord& r : world.rains)
+    fmt::print("rain {}: {} bodies, {:.6g} kg{}\n", r.name, r.count, r.mass,
+               r.waits > 0 ? fmt::format(", waited for a free place at {} steps", r.waits) : "");
+  for (const EventRecord& e : world.events)
+    fmt::print("event {}: {}\n", e.name,
+               e.done > 0 ? fmt::format("t = {:.6g} s", static_cast<double>(e.done) * world.time_step.dt) : "not yet");
+  if (world.ended_by > 0) fmt::print("ended by {}\n", ended_by(world));
   fmt::print("state_hash {:016x}\n", state_hash(world));
 }
 
@@ -86,7 +93,7 @@ int resume_command(const ResumeArguments& arguments) {
   }
   load_state(world, checkpoint->state);
   const std::filesystem::path folder(arguments.folder);
-  if (world.step >= total_steps(world) && std::filesystem::exists(folder / "final.csv") &&
+  if (finished(world) && std::filesystem::exists(folder / "final.csv") &&
       std::filesystem::exists(folder / "summary.json")) {
     fmt::print("{}: finished already, at step {}\n", arguments.folder, world.step);
     return success;

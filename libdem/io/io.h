@@ -13,13 +13,14 @@ namespace dem::io {
 
 inline constexpr const char* version = "0.1.0";  // of the program, as written into records and summaries
 
-// final.csv: id, shape, material, x, y, z, qw, qx, qy, qz, vx, vy, vz, wx, wy, wz; 17 digits.
+// final.csv: id, shape, material, x, y, z, qw, qx, qy, qz, vx, vy, vz, wx, wy, wz, and species when the scene has any;
+// 17 digits.
 void write_final_csv(const std::string& path, const World& world);
-// summary.json: see libdem/io/summary.cpp for the keys. `first_step` is where this process began (a resume does not
-// begin at 0): world.times, and with it particle_steps_per_s, covers the steps since then.
-void write_summary(const std::string& path, const World& world, const std::string& end, int threads,
-                   std::uint64_t first_step = 0);
-// discharge.csv: time, count, mass.
+// summary.json: see libdem/io/summary.cpp for the keys. world.times, and with it particle_steps_per_s, covers the steps
+// of this process (a resume does not begin at 0).
+void write_summary(const std::string& path, const World& world, const std::string& end, int threads);
+// discharge.csv, a row for each body that left: time, count and mass by all outlets; outlet, its count and mass;
+// species.
 void write_discharge_csv(const std::string& path, const World& world);
 
 // cell.csv, of a box that is periodic along every axis: time, length_x … length_z, stress_xx … stress_zz, stress_xy …

@@ -1,6 +1,6 @@
 // Layout of record.h5, SI units, one row per particle (in order of id), wall or contact:
 //   /frames/<step>            attributes step, time
-//     id shape material       size position orientation(w, x, y, z) velocity spin rotation
+//     id shape material species  (0: none) size position orientation(w, x, y, z) velocity spin rotation
 //     cell                    of a periodic scene: lower corner and lengths of the box
 //     walls/                  present position orientation
 //     contacts/               touching records:
@@ -65,6 +65,7 @@ void put_particles(hdf5::File& file, const std::string& at, const World& world) 
   file.put(at + "/id", pick(p.id, order), 1);
   file.put(at + "/shape", pick(p.shape, order), 1);
   file.put(at + "/material", pick(p.material, order), 1);
+  file.put(at + "/species", pick(p.species, order), 1);
   put_vectors("/size", [&](std::uint32_t i) { return p.size[i]; });
   put_vectors("/position", [&](std::uint32_t i) { return p.motion[i].position; });
   put_vectors("/velocity", [&](std::uint32_t i) { return p.motion[i].velocity; });
@@ -113,6 +114,7 @@ void get_particles(const hdf5::File& file, const std::string& at, World& world) 
   p.id = file.get<std::uint64_t>(at + "/id");
   p.shape = file.get<std::uint32_t>(at + "/shape");
   p.material = file.get<std::uint32_t>(at + "/material");
+  p.species = file.get<std::uint32_t>(at + "/species");
   const std::size_t n = p.id.size();
   const auto vectors = [&](const std::string& name) {
     auto values = file.get<double>(at + "/" + name);
@@ -125,7 +127,8 @@ void get_particles(const hdf5::File& file, const std::string& at, World& world) 
   const auto known = [&](const std::vector<std::uint32_t>& list, std::size_t count) {
     return list.size() == n && std::all_of(list.begin(), list.end(), [&](std::uint32_t k) { return k < count; });
   };
-  if (orientation.size() != 4 * n || !known(p.shape, world.shapes.size()) || !known(p.material, world.materials.size()))
+  if (orientation.size() != 4 * n || !known(p.shape, world.shapes.size()) ||
+      !known(p.material, world.materials.size()) || !known(p.species, world.scene.species.size() + 1))
     throw RunError("the record's frame " + at + " does not belong to this scene");
   p.kind.clear();
   for (const std::uint32_t shape : p.shape) p.kind.push_back(world.shapes[shape].kind);

@@ -21,53 +21,47 @@ using Json = nlohmann::ordered_json;
 Json list(const Vec3d& v) { return {v.x, v.y, v.z}; }
 Vec3d value(const std::array<Accumulator, 3>& a) { return {a[0].value(), a[1].value(), a[2].value()}; }
 
-// Particles × steps since first_step. A particle that left counts up to the step at which it left, so a silo that
-// emptied itself is not rated by the few particles that remain.
-double particle_steps(const World& world, std::uint64_t first_step) {
-  const double first = static_cast<double>(first_step);
-  double sum = static_cast<double>(world.particles.count()) * (static_cast<double>(world.step) - first);
-  std::uint64_t before = 0;
-  for (const DischargePoint& d : world.discharge) {
-    const double left = std::round(d.time / world.time_step.dt);
-    sum += static_cast<double>(d.count - before) * std::max(left - first, 0.0);
-    before = d.count;
-  }
-  return sum;
-}
-
 double total_mass(const World& world) {
   Accumulator mass;
   for (const std::uint32_t i : order_by_id(world)) mass.add(world.particles.mass[i]);
   return mass.value();
 }
 
-// p + p_removed − p_initial = ∫F dt over the run. The error is relative to the largest momentum in play: any term of
-// the balance, Σ m|v|, or the impulse of the weight (which a bed at rest takes up without moving).
+// p + p_removed − p_initial − p_inserted = ∫F dt over the run. The error is relative to the largest momentum in play:
+// any term of the balance, Σ m|v|, or the impulse of the weight (which a bed at rest takes up without moving).
 Json momentum_balance(const World& world, double mass) {
   const auto& start = world.balance.initial_momentum;
   const Vec3d initial{start[0], start[1], start[2]};
   const Vec3d impulse = value(world.balance.impulse), removed = value(world.balance.removed_momentum);
+  const Vec3d inserted = value(world.balance.inserted_momentum);
   const Vec3d current = momentum(world);
   Accumulator moving;
   for (const std::uint32_t i : order_by_id(world))
     moving.add(world.particles.mass[i] * norm(world.particles.motion[i].velocity));
-  const double scale = std::max({norm(initial), norm(impulse), norm(removed), norm(current), moving.value(),
-                                 mass * norm(world.scene.gravity) * world.time()});
-  const double difference = norm(current + removed - initial - impulse);
-  return {{"initial", list(initial)}, {"impulse", list(impulse)},
-          {"removed", list(removed)}, {"current", list(current)},
-          {"scale", scale},           {"relative_error", scale > 0 ? difference / scale : 0.0}};
+  const double scale = std::max({norm(initial), norm(impulse), norm(removed), norm(inserted), norm(current),
+                                 moving.value(), mass * norm(world.scene.gravity) * world.time()});
+  const double difference = norm(current + removed - initial - inserted - impulse);
+  return {{"initial", list(initial)},
+          {"impulse", list(impulse)},
+          {"removed", list(removed)},
+          {"inserted", list(inserted)},
+          {"current", list(current)},
+          {"scale", scale},
+          {"relative_error", scale > 0 ? difference / scale : 0.0}};
 }
 
 Json mass_balance(const World& world, double mass) {
   const Balance& b = world.balance;
   const std::size_t present = world.particles.count();
-  const double difference = std::abs(mass + b.removed_mass - b.initial_mass);
+  const double difference = std::abs(mass + b.removed_mass - b.initial_mass - b.inserted_mass),
+               all = b.initial_mass + b.inserted_mass;
   return {{"initial", b.initial_mass},
           {"present", mass},
           {"removed", b.removed_mass},
-          {"relative_error", b.initial_mass > 0 ? difference / b.initial_mass : 0.0},
-          {"initial_count", present + world.counters.deleted},
+          {"inserted", b.inserted_mass},
+          {"relative_error", all > 0 ? difference / all : 0.0},
+          {"initial_count", present + world.counters.deleted - b.inserted_count},
+          {"inserted_count", b.inserted_count},
           {"present_count", present},
           {"removed_count", world.counters.deleted}};
 }
@@ -89,10 +83,26 @@ Json cell(const World& world) {
   return box;
 }
 
+Json outlet(const World& world, std::size_t o) {
+  const OutletRecord& r = world.outlets[o];
+  Json out{{"name", r.name}, {"count", r.count}, {"mass", r.mass}};
+  if (world.scene.species.empty()) return out;
+  for (std::size_t s = 0; s < r.by_species.size(); ++s)
+    out["by_species"][species_name(world, static_cast<std::uint32_t>(s))] = r.by_species[s];
+  return out;
+}
+
+Json species_counts(const World& world) {
+  std::vector<std::uint64_t> count(world.scene.species.size() + 1);
+  for (const std::uint32_t s : world.particles.species) ++count[s];
+  Json out;
+  for (std::size_t s = 0; s < count.size(); ++s) out[species_name(world, static_cast<std::uint32_t>(s))] = count[s];
+  return out;
+}
+
 }  // namespace
 
-void write_summary(const std::string& path, const World& world, const std::string& end, int threads,
-                   std::uint64_t first_step) {
+void write_summary(const std::string& path, const World& world, const std::string& end, int threads) {
   const double mass = total_mass(world);
   const PhaseTimes& t = world.times;
   const Counters& c = world.counters;
@@ -109,7 +119,7 @@ void write_summary(const std::string& path, const World& world, const std::strin
   summary["dt_limited_by"] = world.time_step.limited_by;
   summary["threads"] = threads;
   summary["particles"] = world.particles.count();
-  summary["particle_steps_per_s"] = t.loop > 0 ? particle_steps(world, first_step) / t.loop : 0.0;
+  summary["particle_steps_per_s"] = t.loop > 0 ? static_cast<double>(t.particle_steps) / t.loop : 0.0;
   summary["seconds"] = {{"broad_phase", t.broad}, {"query", t.query},   {"sum", t.sum},  {"integrate", t.integrate},
                         {"walls", t.walls},       {"output", t.output}, {"loop", t.loop}};
   summary["contacts_per_particle"] = contacts_per_particle(world);
@@ -130,8 +140,16 @@ void write_summary(const std::string& path, const World& world, const std::strin
   summary["mass_balance"] = mass_balance(world, mass);
   if (world.cell.periodic) summary["cell"] = cell(world);
   summary["outlets"] = Json::array();
-  for (const OutletRecord& o : world.outlets)
-    summary["outlets"].push_back({{"name", o.name}, {"count", o.count}, {"mass", o.mass}});
+  for (std::size_t o = 0; o < world.outlets.size(); ++o) summary["outlets"].push_back(outlet(world, o));
+  if (!world.scene.species.empty()) summary["species"] = species_counts(world);
+  summary["rain"] = Json::array();
+  for (const RainRecord& r : world.rains)
+    summary["rain"].push_back({{"name", r.name}, {"count", r.count}, {"mass", r.mass}, {"waited_steps", r.waits}});
+  summary["events"] = Json::array();
+  for (const EventRecord& e : world.events)
+    summary["events"].push_back(
+        {{"name", e.name},
+         {"time", e.done > 0 ? Json(static_cast<double>(e.done) * world.time_step.dt) : Json(nullptr)}});
   summary["materials"] = Json::array();
   for (const MaterialSpec& m : world.scene.materials)
     summary["materials"].push_back({{"name", m.name}, {"like", m.like}, {"source", m.source}});

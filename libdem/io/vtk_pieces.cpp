@@ -28,7 +28,7 @@ bool write_rounds(const std::string& path, const World& world) {
   const Particles& p = world.particles;
   std::vector<Vec3d> points;
   std::vector<std::int64_t> id;
-  std::vector<std::int32_t> shape, material, connectivity, ends;
+  std::vector<std::int32_t> shape, material, species, connectivity, ends;
   std::vector<float> radius, velocity, spin, quaternion;
   std::vector<double> tensor;
   for (const std::uint32_t i : order_by_id(world)) {
@@ -41,6 +41,7 @@ bool write_rounds(const std::string& path, const World& world) {
     id.push_back(static_cast<std::int64_t>(p.id[i]));
     shape.push_back(index32(p.shape[i]));
     material.push_back(index32(p.material[i]));
+    species.push_back(index32(p.species[i]));
     radius.push_back(static_cast<float>(m.equivalent_radius));
     append(velocity, list(m.velocity));
     append(spin, list(m.spin));
@@ -56,6 +57,7 @@ bool write_rounds(const std::string& path, const World& world) {
   file.add_point_array("id", 1, id);
   file.add_point_array("shape", 1, shape);
   file.add_point_array("material", 1, material);
+  if (!world.scene.species.empty()) file.add_point_array("species", 1, species);
   file.add_point_array("radius", 1, radius);
   file.add_point_array("velocity", 3, velocity);
   file.add_point_array("spin", 3, spin);
@@ -69,7 +71,7 @@ bool write_polyhedra(const std::string& path, const World& world) {
   const Particles& p = world.particles;
   std::vector<Vec3d> points;
   std::vector<std::int64_t> particle;
-  std::vector<std::int32_t> shape, material, connectivity, ends;
+  std::vector<std::int32_t> shape, material, species, connectivity, ends;
   std::vector<float> speed;
   for (const std::uint32_t i : order_by_id(world)) {
     if (!is_faceted(world, i)) continue;
@@ -83,6 +85,7 @@ bool write_polyhedra(const std::string& path, const World& world) {
       particle.push_back(static_cast<std::int64_t>(p.id[i]));
       shape.push_back(index32(p.shape[i]));
       material.push_back(index32(p.material[i]));
+      species.push_back(index32(p.species[i]));
       speed.push_back(static_cast<float>(norm(p.motion[i].velocity)));
     };
     if (body.polygon) {
@@ -103,6 +106,7 @@ bool write_polyhedra(const std::string& path, const World& world) {
   file.add_cell_array("particle", 1, particle);
   file.add_cell_array("shape", 1, shape);
   file.add_cell_array("material", 1, material);
+  if (!world.scene.species.empty()) file.add_cell_array("species", 1, species);
   file.add_cell_array("speed", 1, speed);
   file.write(path);
   return true;

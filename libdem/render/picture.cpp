@@ -36,7 +36,7 @@ std::vector<std::string> names_of(const Entries& entries) {
 }  // namespace
 
 const std::vector<std::string>& color_names() {
-  static const std::vector<std::string> names{"speed", "id", "shape", "size", "material", "force"};
+  static const std::vector<std::string> names{"speed", "id", "shape", "size", "material", "species", "force"};
   return names;
 }
 
@@ -53,6 +53,10 @@ Picture picture_of(const World& world, const View& view) {
   picture.walls = io::wall_surfaces(world, view.box ? *view.box : picture_box(world));
   if (by == "shape") picture.names = names_of(world.shapes);
   if (by == "material") picture.names = names_of(world.scene.materials);
+  if (by == "species") {
+    picture.names = names_of(world.scene.species);
+    picture.names.insert(picture.names.begin(), "none");
+  }
   picture.label = by == "speed"   ? "speed (m/s)"
                   : by == "size"  ? "diameter (m)"
                   : by == "force" ? "contact forces (N)"
@@ -65,6 +69,7 @@ Picture picture_of(const World& world, const View& view) {
                          : by == "shape"    ? p.shape[i]
                          : by == "size"     ? 2 * p.motion[i].equivalent_radius
                          : by == "material" ? p.material[i]
+                         : by == "species"  ? p.species[i]
                                             : load[i];
     const shapes::Polyhedron* solid = shape.prism ? shape.prism.get() : shape.polyhedron.get();
     picture.bodies.push_back({shape.kind, solid, p.size[i], p.motion[i].position, p.orientation[i], value});

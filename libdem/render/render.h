@@ -31,7 +31,7 @@ struct Range {
 
 struct View {
   int width = 1200, height = 900;
-  std::string color_by = "speed";  // speed | id | shape | size | material | force
+  std::string color_by = "speed";  // speed | id | shape | size | material | species | force
   bool legend = true;
   std::optional<io::Box> box;  // what must be in the picture; default: picture_box (a movie keeps one for all frames)
   std::optional<Range> range;  // of the colours; default: of the values, without the highest 4 %

@@ -54,6 +54,7 @@ Json value_schema(const Key& key, const std::string& path, bool complete) {
   switch (key.type) {
     case KeyType::text:
     case KeyType::file:
+    case KeyType::condition:
       return text_schema(key);
     case KeyType::texts:
       return key.choices.empty() ? list_of({{"type", "string"}, {"minLength", 1}}, 1) : list_of(text_schema(key), 1);

@@ -47,8 +47,7 @@ class Rules : RuleContext {
     method();
     for (std::size_t i = 0; i < scene.shapes.size(); ++i) shape(i);
     for (std::size_t i = 0; i < scene.walls.size(); ++i) check_wall_rules(*this, i);
-    for (std::size_t i = 0; i < scene.fills.size(); ++i) fill(i);
-    for (std::size_t i = 0; i < scene.outlets.size(); ++i) nonzero("outlet", i, "normal", scene.outlets[i].normal);
+    check_insertion_rules(*this);
     check_periodic_rules(*this);
     pairs();
     particles();
@@ -86,15 +85,6 @@ class Rules : RuleContext {
       wrong("shape", i, "file", "a shipped shape has no size of its own: give shape.diameter (m)");
   }
 
-  void fill(std::size_t i) {
-    const FillSpec& f = scene.fills[i];
-    for (int k = 0; k < scene.dimension; ++k)
-      if (!(f.lower[k] < f.upper[k]))
-        return wrong(
-            "fill", i, "upper",
-            fmt::format("allowed fill.upper > fill.lower in x{}", scene.dimension == 2 ? " and y" : ", y and z"));
-  }
-
   void pairs() {
     std::set<std::pair<std::string, std::string>> seen;
     for (std::size_t i = 0; i < scene.pairs.size(); ++i) {
@@ -107,10 +97,12 @@ class Rules : RuleContext {
   }
 
   void particles() {
-    if (scene.fills.empty() && scene.bodies.empty() && scene.csv.empty())
-      errors.add({1, 1}, "the scene has no bodies: give a [[fill]], a [[body]] or a [[bodies_csv]]");
+    if (scene.fills.empty() && scene.bodies.empty() && scene.csv.empty() && scene.rains.empty())
+      errors.add({1, 1}, "the scene has no bodies: give a [[fill]], a [[body]], a [[bodies_csv]] or a [[rain]]");
     for (const FillSpec& f : scene.fills)
-      for (const FillItem& item : f.items) used_[item.material] += f.count;
+      for (const FillItem& item : f.items) used_[item.material] += f.count > 0 ? f.count : 2;
+    for (const RainSpec& r : scene.rains)
+      for (const FillItem& item : r.items) used_[item.material] += 2;
     for (const BodySpec& b : scene.bodies) ++used_[b.material];
     for (const CsvSpec& c : scene.csv) used_[c.material] += 2;  // the file may hold any number
   }

@@ -2,6 +2,9 @@
 // that deforms is periodic along every axis.
 #include <fmt/format.h>
 
+#include <cmath>
+
+#include "libdem/insertion/region.h"
 #include "libdem/scene/rules.h"
 
 namespace dem {
@@ -27,8 +30,11 @@ class PeriodicRules : RuleContext {
         wrong("wall", i, "motion", "allowed with periodic.axes: fixed, translation, oscillation, servo");
     }
     for (std::size_t i = 0; i < scene.outlets.size(); ++i)
-      if (crosses(scene.outlets[i].normal)) wrong("outlet", i, "normal", zero);
+      if (scene.outlets[i].region.empty() && crosses(scene.outlets[i].normal)) wrong("outlet", i, "normal", zero);
     for (std::size_t i = 0; i < scene.fills.size(); ++i) fill(i);
+    for (std::size_t i = 0; i < scene.rains.size(); ++i) within_box("rain", i, "region", scene.rains[i].region);
+    for (std::size_t i = 0; i < scene.outlets.size(); ++i)
+      within_box("outlet", i, "recycle_to", scene.outlets[i].recycle_to);
     if (!box_.deform.empty()) deform();
   }
 
@@ -41,11 +47,24 @@ class PeriodicRules : RuleContext {
 
   void fill(std::size_t i) const {
     const FillSpec& f = scene.fills[i];
+    if (!f.region.empty()) return within_box("fill", i, "region", f.region);
     for (int k = 0; k < 3; ++k) {
       if (!box_.along(k)) continue;
       for (const bool low : {true, false})
         if (low ? f.lower[k] < box_.lower[k] : f.upper[k] > box_.upper[k])
           wrong("fill", i, low ? "lower" : "upper",
+                fmt::format("allowed within the periodic box, {} = {} to {}", "xyz"[k], box_.lower[k], box_.upper[k]));
+    }
+  }
+
+  // Bodies must come into a region without meeting their own images.
+  void within_box(const char* table, std::size_t i, const char* key, const std::string& name) const {
+    for (const RegionSpec& spec : scene.regions) {
+      if (spec.name != name) continue;
+      const Region region(spec, scene.dimension);
+      for (int k = 0; k < 3; ++k)
+        if (box_.along(k) && (region.lower()[k] < box_.lower[k] || region.upper()[k] > box_.upper[k]))
+          wrong(table, i, key,
                 fmt::format("allowed within the periodic box, {} = {} to {}", "xyz"[k], box_.lower[k], box_.upper[k]));
     }
   }
@@ -65,6 +84,12 @@ class PeriodicRules : RuleContext {
     if (box_.axes != "xyz") wrong("periodic", 0, "axes", "a box that deforms is periodic along every axis: \"xyz\"");
     if (!(scene.gravity == Vec3d{}))
       wrong("world", 0, "gravity", "allowed with periodic.deform: [0, 0, 0], for nothing would hold the bodies");
+    for (std::size_t i = 0; i < scene.events.size(); ++i)
+      if (const Vec3d& g = scene.events[i].gravity; !std::isnan(g.x) && !(g == Vec3d{}))
+        wrong("event", i, "gravity", "allowed with periodic.deform: [0, 0, 0], for nothing would hold the bodies");
+    const char* const kept = "a box that deforms keeps its bodies: not with periodic.deform";
+    for (std::size_t i = 0; i < scene.rains.size(); ++i) wrong("rain", i, nullptr, kept);
+    for (std::size_t i = 0; i < scene.outlets.size(); ++i) wrong("outlet", i, nullptr, kept);
     for (std::size_t i = 1; i < box_.deform.size(); ++i)
       if (!(box_.deform[i].start > box_.deform[i - 1].start))
         wrong_deform(i, "start", fmt::format("does not follow {}: allowed are rising times", box_.deform[i - 1].start));

@@ -39,15 +39,24 @@ class PlanarRules {
       for (const auto& row : scene_.walls[i].displacements)
         if (row[3] != 0) wrong("wall", i, "displacements", fmt::format("z must be 0: {}", planar_note));
     }
-    for (std::size_t i = 0; i < scene_.fills.size(); ++i)
+    for (std::size_t i = 0; i < scene_.fills.size(); ++i) {
       for (const char* key : {"lower", "upper", "velocity"}) components("fill", i, key, {2});
+      components("fill", i, "orientation", {1, 2});
+    }
+    for (std::size_t i = 0; i < scene_.regions.size(); ++i)
+      for (const char* key : {"lower", "upper", "centre"}) components("region", i, key, {2});
+    for (std::size_t i = 0; i < scene_.rains.size(); ++i) {
+      components("rain", i, "velocity", {2});
+      components("rain", i, "orientation", {1, 2});
+    }
+    for (std::size_t i = 0; i < scene_.events.size(); ++i) components("event", i, "gravity", {2});
     for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
       for (const char* key : {"position", "velocity"}) components("body", i, key, {2});
       components("body", i, "spin", {0, 1});
       components("body", i, "orientation", {1, 2});
     }
     for (std::size_t i = 0; i < scene_.outlets.size(); ++i)
-      for (const char* key : {"point", "normal"}) components("outlet", i, key, {2});
+      for (const char* key : {"point", "normal", "velocity"}) components("outlet", i, key, {2});
   }
 
  private:

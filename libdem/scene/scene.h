@@ -5,28 +5,16 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "libdem/scene/scene_insertion.h"
 #include "shapes/math/quat.h"
 
 namespace dem {
 
 using shapes::Quatd;
 using shapes::Vec3d;
-
-// Where a value stands in its file: errors found after parsing (an initial overlap, a bad mesh) still name the line.
-struct Where {
-  std::string file;
-  int line = 0, column = 0;
-};
-
-// Bad input of any kind; the message is complete: what, value, allowed range, file:line:column.
-struct InputError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-[[noreturn]] void input_error(const Where& where, const std::string& message);
 
 struct RunSpec {
   double time = 0;  // s; 0 when `steps` is given instead
@@ -39,6 +27,8 @@ struct RunSpec {
   double skin = -1;                 // m; < 0: auto
   std::uint64_t rebuild_every = 0;  // steps; 0: when a body has moved by half the skin; 1: every step
   std::uint64_t seed = 1;
+  std::string until;                    // condition that ends the run before its time; see libdem/events/condition.h
+  std::uint64_t check_every = 100;      // steps between looks at the conditions of `until` and of events
   double max_initial_overlap = 0.05;    // of the smaller inscribed radius
   double max_uncertified_share = 1e-4;  // of contact-steps
 };
@@ -139,26 +129,14 @@ struct WallSpec {
   double speed_limit = 0;                            // servo: m/s
   double gain = 1;                                   // servo
   double start = 0, stop = std::numeric_limits<double>::infinity();  // s, when it moves
+  bool present = true;                                               // at the start; an event may insert or remove it
   double remove_at = std::numeric_limits<double>::infinity();        // s: the wall disappears (a gate)
-  Where where;
-};
-
-struct FillItem {
-  std::string shape, material;
-  double weight = 1;                    // share of the number
-  double scale_min = 1, scale_max = 1;  // sizes uniform in between (factor on the shape's size)
-};
-
-struct FillSpec {  // bodies on a jittered grid inside a box, random orientation, no overlap
-  Vec3d lower{}, upper{};
-  std::uint64_t count = 0;
-  Vec3d velocity{};
-  std::vector<FillItem> items;
   Where where;
 };
 
 struct BodySpec {
   std::string shape, material;
+  std::string species{};  // empty: none
   double scale = 1;
   Vec3d position{}, velocity{}, spin{};
   Quatd orientation{};
@@ -170,12 +148,6 @@ struct BodySpec {
 struct CsvSpec {
   std::string file;
   std::string shape, material;
-  Where where;
-};
-
-struct OutletSpec {  // bodies whose centre is behind the plane (normal·(x − point) < 0) are deleted and counted
-  std::string name;
-  Vec3d point{}, normal{0, 0, 1};
   Where where;
 };
 
@@ -212,10 +184,14 @@ struct Scene {
   std::vector<MaterialPairSpec> pairs;
   std::vector<ShapeSpec> shapes;
   std::vector<WallSpec> walls;
+  std::vector<RegionSpec> regions;
+  std::vector<SpeciesSpec> species;
   std::vector<FillSpec> fills;
+  std::vector<RainSpec> rains;
   std::vector<BodySpec> bodies;
   std::vector<CsvSpec> csv;
   std::vector<OutletSpec> outlets;
+  std::vector<EventSpec> events;
 };
 
 // Parses a scene file with `key=value` overrides (--set); throws InputError. Paths inside are relative to the file.

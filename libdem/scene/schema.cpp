@@ -64,23 +64,6 @@ Key uncertified_share() {
   return key;
 }
 
-Key size_factor() {
-  Key key = value<&FillItem::scale_min>(
-      "scale", "", "Factor on the size of the shape: one number, or [min, max] for sizes uniform in between.");
-  key.type = KeyType::number_or_range;
-  key.set = [](void* spec, const Node& n) {
-    FillItem& item = *static_cast<FillItem*>(spec);
-    const bool list = n.kind == Node::Kind::array;
-    item.scale_min = list ? n.items[0].as_number() : n.as_number();
-    item.scale_max = list ? n.items[1].as_number() : n.as_number();
-  };
-  key.get = [](const void* spec) {
-    const FillItem& item = *static_cast<const FillItem*>(spec);
-    return Node::array_of({Node::of(item.scale_min), Node::of(item.scale_max)});
-  };
-  return key;
-}
-
 std::vector<Key> run_keys() {
   return {
       value<&RunSpec::time>("time", "s", "Simulated time; give this or run.steps.").above(0),
@@ -99,6 +82,11 @@ std::vector<Key> run_keys() {
       value<&RunSpec::dt_contacts>("dt_contacts", "", "Contacts per body whose stiffness is summed for the limit.")
           .from(1)
           .to(100),
+      value<&RunSpec::until>("until", "",
+                             "Condition that ends the run before its time, like \"kinetic_energy < 1e-9\"; looked at "
+                             "every run.check_every steps.")
+          .as_condition(),
+      value<&RunSpec::check_every>("check_every", "", "Steps between looks at run.until and event.when.").from(1),
       skin().above(0),
       value<&RunSpec::rebuild_every>(
           "rebuild_every", "",
@@ -225,29 +213,11 @@ std::vector<Key> shape_keys() {
   };
 }
 
-std::vector<Key> item_keys() {
-  return {
-      value<&FillItem::shape>("shape", "", "Shape of these bodies.").refers("shape").must(),
-      value<&FillItem::material>("material", "", "Their material.").refers("material").must(),
-      value<&FillItem::weight>("weight", "", "Their share of the number, relative to the other items.").above(0),
-      size_factor().above(0),
-  };
-}
-
-std::vector<Key> fill_keys() {
-  return {
-      value<&FillSpec::lower>("lower", "m", "Lower corner of the box that is filled.").must(),
-      value<&FillSpec::upper>("upper", "m", "Upper corner.").must(),
-      value<&FillSpec::count>("count", "", "Number of bodies.").from(1).must(),
-      value<&FillSpec::velocity>("velocity", "m/s", "Their initial velocity."),
-      tables<&FillSpec::items>("items", "What the box is filled with.", item_keys()).must(),
-  };
-}
-
 std::vector<Key> body_keys() {
   return {
       value<&BodySpec::shape>("shape", "", "Its shape.").refers("shape").must(),
       value<&BodySpec::material>("material", "", "Its material.").refers("material").must(),
+      value<&BodySpec::species>("species", "", "Its species.").refers("species"),
       value<&BodySpec::scale>("scale", "", "Factor on the size of the shape.").above(0),
       value<&BodySpec::position>("position", "m", "Centre of mass.").must(),
       value<&BodySpec::orientation>("orientation", "", "Unit quaternion w, x, y, z: body axes to world axes."),
@@ -256,10 +226,8 @@ std::vector<Key> body_keys() {
   };
 }
 
-}  // namespace
-
-const Section& schema() {
-  static const std::shared_ptr<const Section> root = bind::section<Scene>({
+std::shared_ptr<const Section> whole() {
+  std::vector<Key> keys{
       include(),
       value<&Scene::title>("title", "", "One line about the scene."),
       table<&Scene::run>("run", "Time, step and neighbour list.", run_keys()),
@@ -273,11 +241,11 @@ const Section& schema() {
            value<&Scene::thickness>("thickness", "m", "Thickness of the prisms; needed where dimension = 2.").above(0)})
           .must(),
       table<&Scene::periodic>("periodic", "Periodic boundaries.", periodic_keys()),
-      heading<Scene>("contact", "How contacts are detected.",
-                     {value<&Scene::method>(
-                          "method", "",
-                          "Name of a detection method, or auto = the cheapest certified one of each pair."),
-                      uncertified_share().from(0).to(1)}),
+      heading<Scene>(
+          "contact", "How contacts are detected.",
+          {value<&Scene::method>("method", "",
+                                 "Name of a detection method, or auto = the cheapest certified one of each pair."),
+           uncertified_share().from(0).to(1)}),
       table<&Scene::law>(
           "law", "The force law.",
           {word<&LawSpec::name>("name", "Linear spring and dashpot, or Hertz-Mindlin.",
@@ -296,8 +264,6 @@ const Section& schema() {
                             pair_keys()),
       tables<&Scene::shapes>("shape", "A shape of bodies.", shape_keys()).must(),
       tables<&Scene::walls>("wall", "A wall.", wall_keys()),
-      tables<&Scene::fills>("fill", "Bodies on a jittered grid in a box, turned at random, without overlap.",
-                            fill_keys()),
       tables<&Scene::bodies>("body", "One body.", body_keys()),
       tables<&Scene::csv>(
           "bodies_csv", "Bodies from a CSV or CSV.gz file with columns x, y, z and radius or scale.",
@@ -305,12 +271,15 @@ const Section& schema() {
            value<&CsvSpec::shape>("shape", "", "Their shape, where the file has no such column.").refers("shape"),
            value<&CsvSpec::material>("material", "", "Their material, where the file has no such column.")
                .refers("material")}),
-      tables<&Scene::outlets>(
-          "outlet", "Bodies whose centre is behind this plane are taken out and counted.",
-          {value<&OutletSpec::name>("name", "", "Name in messages and output.").own_name(),
-           value<&OutletSpec::point>("point", "m", "A point on the plane.").must(),
-           value<&OutletSpec::normal>("normal", "", "Towards the bodies that stay; any length.").must()}),
-  });
+  };
+  for (Key& key : insertion_tables()) keys.push_back(std::move(key));
+  return bind::section<Scene>(std::move(keys));
+}
+
+}  // namespace
+
+const Section& schema() {
+  static const std::shared_ptr<const Section> root = whole();
   return *root;
 }
 

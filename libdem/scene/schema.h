@@ -15,8 +15,9 @@ namespace dem {
 
 enum class KeyType {
   text,
-  texts,  // a list of text
-  file,   // a path, resolved and checked to exist
+  texts,      // a list of text
+  file,       // a path, resolved and checked to exist
+  condition,  // text, see libdem/events/condition.h
   boolean,
   integer,
   number,
@@ -82,6 +83,7 @@ struct Key {
   Key& refers(std::string table) { return refers_to = std::move(table), *this; }
   Key& named_in(std::string list) { return catalogue = std::move(list), *this; }
   Key& as_file() { return type = KeyType::file, *this; }
+  Key& as_condition() { return type = KeyType::condition, *this; }
   Key& own_name() { return unique = required = true, *this; }
 };
 

@@ -17,6 +17,8 @@ const char* name_of(KeyType type) {
       return "a list of text";
     case KeyType::file:
       return "a file name";
+    case KeyType::condition:
+      return "a condition";
     case KeyType::boolean:
       return "true or false";
     case KeyType::integer:
@@ -131,7 +133,8 @@ Fault lists_fault(const Key& key, const std::string& path, const Node& n, std::s
 
 Fault text_fault(const Key& key, const Node& n) {
   if (n.kind != Node::Kind::text) return {fmt::format("needs {}, found {}", name_of(key.type), found(n)), &n};
-  const bool is_name = key.unique || !key.refers_to.empty() || !key.catalogue.empty() || key.type == KeyType::file;
+  const bool is_name = key.unique || !key.refers_to.empty() || !key.catalogue.empty() || key.type == KeyType::file ||
+                       key.type == KeyType::condition;
   if (is_name && n.text.empty()) return {"is empty", &n};
   if (key.choices.empty() || std::find(key.choices.begin(), key.choices.end(), n.text) != key.choices.end()) return {};
   const std::string near = nearest_name(n.text, key.choices);
@@ -174,6 +177,7 @@ Fault fault(const Key& key, const std::string& path, const Node& n) {
   switch (key.type) {
     case KeyType::text:
     case KeyType::file:
+    case KeyType::condition:
       return text_fault(key, n);
     case KeyType::texts:
       return texts_fault(key, n);

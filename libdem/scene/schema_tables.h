@@ -7,7 +7,8 @@
 
 namespace dem {
 
-std::vector<Key> wall_keys();      // [[wall]]
-std::vector<Key> periodic_keys();  // [periodic]
+std::vector<Key> wall_keys();         // of [[wall]]
+std::vector<Key> periodic_keys();     // of [periodic]
+std::vector<Key> insertion_tables();  // [[region]], [[species]], [[fill]], [[rain]], [[outlet]], [[event]]
 
 }  // namespace dem

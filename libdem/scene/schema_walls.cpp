@@ -112,6 +112,7 @@ std::vector<Key> motion_keys() {
           .when("motion", {"servo"}),
       value<&WallSpec::start>("start", "s", "When the motion begins.").from(0).when("motion", moving),
       value<&WallSpec::stop>("stop", "s", "When the motion ends.").above(0).when("motion", moving),
+      value<&WallSpec::present>("present", "", "Whether it is there at the start; an event may insert or remove it."),
       value<&WallSpec::remove_at>("remove_at", "s", "When the wall is taken away (a gate).").from(0),
   };
 }

@@ -8,5 +8,7 @@ std::vector<std::string> scene_words() {
     words.push_back(path.substr(path.rfind('.') + 1));
     for (const std::string& word : dem::find_key(path)->choices) words.push_back('"' + word + '"');
   }
+  for (const char* condition : {"time > 0", "energy < 1e-9 and contacts_per_body >= 2", "rain.shower.count > 3"})
+    words.push_back('"' + std::string(condition) + '"');
   return words;
 }

@@ -17,6 +17,7 @@ void expect_same_particles(const World& a, const World& b) {
   EXPECT_EQ(p.id, q.id);
   EXPECT_EQ(p.shape, q.shape);
   EXPECT_EQ(p.material, q.material);
+  EXPECT_EQ(p.species, q.species);
   for (std::size_t i = 0; i < p.count(); ++i) {
     EXPECT_EQ(p.size[i], q.size[i]);
     EXPECT_EQ(p.motion[i].position, q.motion[i].position);

@@ -54,6 +54,7 @@ inline void add_body(World& world, std::uint32_t shape, std::uint32_t material, 
   p.id.push_back(world.next_id++);
   p.shape.push_back(shape);
   p.material.push_back(material);
+  p.species.push_back(0);
   p.size.push_back(e.size * scale);
   p.mass.push_back(density * e.volume * s3);
   p.inertia.push_back(e.inertia * (density * s3 * scale * scale));

@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "tests/libdem/scenes_in_code.h"
+#include "tests/libdem/scene_in_time.h"
 
 namespace dem {
 namespace {
@@ -64,12 +64,35 @@ Scene restated(Scene s, const Units& u) {
     scale(b.velocity, speed);
     scale(b.spin, rate);
   }
-  for (OutletSpec& o : s.outlets) scale(o.point, length);
   scale(s.periodic.lower, length);
   scale(s.periodic.upper, length);
   for (DeformSpec& d : s.periodic.deform) {
     d.start *= u.of(0, 0, 1);
     scale(d.strain_rates, rate);
+  }
+  for (OutletSpec& o : s.outlets) {
+    scale(o.point, length);
+    scale(o.velocity, speed);
+  }
+  for (RegionSpec& r : s.regions) {
+    scale(r.lower, length);
+    scale(r.upper, length);
+    scale(r.centre, length);
+    r.radius *= length;
+    r.height *= length;
+  }
+  for (RainSpec& r : s.rains) {
+    r.rate *= rate;
+    r.mass_rate *= u.of(0, 1, -1);
+    r.start *= u.of(0, 0, 1);
+    r.stop *= u.of(0, 0, 1);
+    r.mass *= u.of(0, 1, 0);
+    scale(r.velocity, speed);
+  }
+  for (EventSpec& e : s.events) {
+    e.at *= u.of(0, 0, 1);
+    e.delay *= u.of(0, 0, 1);
+    scale(e.gravity, u.of(1, 0, -2));
   }
   return s;
 }
@@ -112,15 +135,15 @@ class ChangeOfUnits : public testing::TestWithParam<LawName> {};
 
 constexpr std::uint64_t bodies = 150, steps = 400;
 
-void expect_same_bits_scaled(const Scene& s) {
-  const World reference = scenes::run(s, steps);
+void expect_same_bits_scaled(const Scene& s, std::uint64_t number = steps) {
+  const World reference = scenes::run(s, number);
   EXPECT_GT(reference.counters.contact_steps, 1000u);
   const Units list[] = {{20, 0, 0}, {-20, 0, 0}, {0, 30, 0},    {0, -30, 0},
                         {0, 0, 10}, {0, 0, -10}, {20, -30, 10}, {-20, 30, -10}};
   for (const Units& u : list) {
     World w = build_world(restated(s, u));
     EXPECT_EQ(difference(build_world(s), w, u), "") << "at the start";
-    while (w.step < steps) advance(w, 1);
+    while (w.step < number) advance(w, 1);
     EXPECT_EQ(difference(reference, w, u), "")
         << "length 2^" << u.length << ", mass 2^" << u.mass << ", time 2^" << u.time;
   }
@@ -142,6 +165,13 @@ TEST_P(ChangeOfUnits, GivesTheSameBitsScaledInADeformingCell) {
   Scene s = scenes::every_shape_in_a_cell(bodies);
   s.law.name = GetParam();
   expect_same_bits_scaled(s);
+}
+
+// With rain, recycling and events.
+TEST_P(ChangeOfUnits, GivesTheSameBitsScaledInTime) {
+  Scene s = scenes::in_time();
+  s.law.name = GetParam();
+  expect_same_bits_scaled(s, scenes::in_time_steps);
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, ChangeOfUnits, testing::Values(LawName::spring_dashpot, LawName::hertz_mindlin),

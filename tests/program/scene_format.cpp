@@ -128,6 +128,50 @@ material = "a"
 name = "out"
 point = [0,0,-4]
 normal = [0,0,1]
+recycle_to = "hole"
+velocity = [0, 0.1, 0]
+[[region]]
+name = "hole"
+kind = "cylinder"
+centre = [0,0,9]
+axis = [0.1, 0, 1]
+radius = 3
+height = 6
+[[species]]
+name = "s"
+region = "hole"
+[[fill]]
+region = "hole"
+mass = 1.5
+arrangement = "fcc"
+spacing = 0.9
+turned = "given"
+orientation = [0.5, 0.5, 0.5, 0.5]
+items = [{shape = "p", material = "a", species = "s", distribution = "lognormal", median = 0.1, sigma = 0.2, scale = [0.05, 0.2]}, {shape = "p", material = "a", distribution = "table", table = [[0.1, 1], [0.2, 2.5]], share_by = "mass"}]
+[[rain]]
+name = "r"
+region = "hole"
+mass_rate = 0.1
+stop = 4
+count = 7
+tries = 3
+items = [{shape = "p", material = "a", scale = 0.1}]
+[[event]]
+name = "e1"
+when = "time > 0.1 and rain.r.count > 3"
+delay = 0.1
+remove_wall = "arm"
+friction = 0.1
+a = "a"
+b = "b"
+[[event]]
+name = "e2"
+at = 0.3
+gravity = [0, 0, 1]
+start_rain = "r"
+species = "s"
+material = "a"
+stop = true
 )";
 
 std::string bits(const Vec3d& v) { return to_toml(Node::array_of({Node::of(v.x), Node::of(v.y), Node::of(v.z)})); }
@@ -167,6 +211,14 @@ TEST(SceneFormat, WrittenSceneReadsBackTheSame) {
   EXPECT_EQ(second.walls[3].segments, 12u);
   EXPECT_EQ(second.fills[0].items[0].scale_max, 0.1);
   EXPECT_EQ(second.fills[0].items[1].scale_max, 1.1);
+  EXPECT_EQ(second.regions[0].axis, (Vec3d{0.1, 0, 1}));
+  EXPECT_EQ(second.fills[1].items[0].sigma, 0.2);
+  EXPECT_EQ(second.fills[1].items[1].table, first.fills[1].items[1].table);
+  EXPECT_EQ(second.fills[1].items[1].share_by, ShareBy::mass);
+  EXPECT_EQ(second.rains[0].mass_rate, 0.1);
+  EXPECT_EQ(second.outlets[0].recycle_to, "hole");
+  EXPECT_EQ(second.events[0].when, "time > 0.1 and rain.r.count > 3");
+  EXPECT_TRUE(std::isnan(second.events[0].gravity.x) && std::isnan(second.events[1].friction));
   const Quatd &p = first.bodies[0].orientation, &q = second.bodies[0].orientation;
   EXPECT_TRUE(p.w == q.w && p.x == q.x && p.y == q.y && p.z == q.z);
   EXPECT_NEAR(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, 1.0, 0x1p-50);
