@@ -1,5 +1,7 @@
 #include "libdem/run.h"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -105,6 +107,13 @@ void timed(double& sum, Work&& work) {
 }
 
 }  // namespace
+
+// A thread must have enough to do between two barriers to be worth waking.
+int default_threads(const World& world) {
+  constexpr std::size_t particles_per_thread = 200;
+  return static_cast<int>(std::clamp<std::size_t>(world.particles.count() / particles_per_thread, 1,
+                                                  static_cast<std::size_t>(omp_get_num_procs())));
+}
 
 RunEnd run(World& world, const RunOptions& options, bool resumed) {
   const auto began = Clock::now();

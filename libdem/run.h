@@ -18,6 +18,9 @@ struct RunOptions {
   std::function<void(const World&)> observe;     // called after every step
 };
 
+// Threads that a run of this world keeps busy, at most the machine's.
+int default_threads(const World& world);
+
 enum class RunEnd { finished, interrupted };
 
 // Starts (resumed = false) or continues a run in its folder, writing frames, record, checkpoints; at the end final.csv,

@@ -4,6 +4,8 @@
 //   (a bound: the law lessens its dashpot by lag_factor, which alone would allow (2/ω)/sqrt(1+2β))
 //   many contacts: λmax ≤ max over contacts of (rows of a + rows of b), a weighted-graph bound (Anderson & Morley,
 //   1985)
+#include "libdem/time_step.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -85,53 +87,71 @@ World foreseen(World world) {
 
 }  // namespace
 
+std::vector<BodyGroup> body_groups(const World& world) {
+  const Particles& p = world.particles;
+  std::vector<BodyGroup> groups;
+  for (std::size_t i = 0; i < p.count(); ++i) {
+    auto g = std::find_if(groups.begin(), groups.end(),
+                          [&](const BodyGroup& x) { return x.shape == p.shape[i] && x.material == p.material[i]; });
+    if (g == groups.end()) {
+      groups.push_back({p.shape[i], p.material[i], 1, i, i});
+      continue;
+    }
+    ++g->count;
+    if (compliance(world, i).tangential > compliance(world, g->light).tangential) g->light = i;
+    if (p.motion[i].equivalent_radius > p.motion[g->large].equivalent_radius) g->large = i;
+  }
+  std::sort(groups.begin(), groups.end(), [](const BodyGroup& a, const BodyGroup& b) {
+    return std::pair(a.shape, a.material) < std::pair(b.shape, b.material);
+  });
+  return groups;
+}
+
+std::vector<PairLimit> pair_limits(const World& world, const std::vector<BodyGroup>& groups) {
+  const std::size_t materials = world.materials.size();
+  // A body with many contacts, each as stiff as its stiffest partner makes it.
+  const double rows = std::max(1.0, 0.5 * world.scene.run.dt_contacts);
+  std::vector<PairLimit> list;
+  const auto add = [&](std::size_t group, std::size_t partner, bool wall, const Compliance& w, double radius_eff,
+                       double radius, const PairParameters& q) {
+    const Stiffness k = stiffness_at(world, q, radius_eff, world.scene.run.dt_overlap * radius);
+    const double beta = law_beta(world, q);
+    list.push_back(
+        {group, partner, wall, limit_of(rows * k.n * w.normal, beta),
+         q.friction > 0 ? limit_of(rows * k.t * w.tangential, beta) : std::numeric_limits<double>::infinity()});
+  };
+  std::vector<Compliance> yields;
+  std::vector<double> radii;
+  for (const BodyGroup& g : groups) {
+    yields.push_back(compliance(world, g.light));
+    radii.push_back(world.particles.motion[g.light].equivalent_radius);
+  }
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const double r = radii[g];
+    for (std::size_t o = g; o < groups.size(); ++o)
+      add(g, o, false, {yields[g].normal + yields[o].normal, yields[g].tangential + yields[o].tangential},
+          r * radii[o] / (r + radii[o]), std::min(r, radii[o]),
+          world.pairs[groups[g].material * materials + groups[o].material]);
+    for (std::size_t w = 0; w < world.walls.size(); ++w)
+      add(g, w, true, yields[g], r, r, world.pairs[groups[g].material * materials + world.walls[w].material]);
+  }
+  return list;
+}
+
 TimeStep choose_time_step(const World& now) {
   const bool same = now.scene.rains.empty() && now.scene.events.empty();
   const World later = same ? World{} : foreseen(now);
   const World& world = same ? now : later;
-  const Particles& p = world.particles;
-  const std::size_t materials = world.materials.size();
   TimeStep best;
   best.limit = std::numeric_limits<double>::infinity();
-  // Per kind of body (shape, material): its most compliant member stands for it.
-  struct Group {
-    std::uint32_t shape, material;
-    Compliance w;
-    double radius;
-  };
-  std::vector<Group> groups;
-  for (std::size_t i = 0; i < p.count(); ++i) {
-    const Compliance w = compliance(world, i);
-    const double radius = p.motion[i].equivalent_radius;
-    auto g = std::find_if(groups.begin(), groups.end(),
-                          [&](const Group& x) { return x.shape == p.shape[i] && x.material == p.material[i]; });
-    if (g == groups.end()) {
-      groups.push_back({p.shape[i], p.material[i], w, radius});
-    } else if (w.tangential > g->w.tangential) {
-      g->w = w;
-      g->radius = radius;
-    }
-  }
-  // The most compliant body with many contacts, each as stiff as its stiffest partner makes it.
-  const double rows = std::max(1.0, 0.5 * world.scene.run.dt_contacts);
-  const auto consider = [&](const Group& g, const Compliance& other, double radius_eff, double radius,
-                            const PairParameters& q, const std::string& partner) {
-    const Stiffness k = stiffness_at(world, q, radius_eff, world.scene.run.dt_overlap * radius);
-    const double normal = rows * k.n * (g.w.normal + other.normal);
-    const double tangential = q.friction > 0 ? rows * k.t * (g.w.tangential + other.tangential) : 0;
-    const double limit = limit_of(std::max(normal, tangential), law_beta(world, q));
-    if (!(limit < best.limit)) return;
-    best.limit = limit;
-    best.limited_by = "\"" + world.shapes[g.shape].name + "\" against " + partner +
-                      (tangential > normal ? ", tangential mode" : ", normal mode");
-  };
-  for (const Group& g : groups) {
-    for (const Group& o : groups)
-      consider(g, o.w, g.radius * o.radius / (g.radius + o.radius), std::min(g.radius, o.radius),
-               world.pairs[g.material * materials + o.material], "\"" + world.shapes[o.shape].name + "\"");
-    for (const Wall& wall : world.walls)
-      consider(g, {}, g.radius, g.radius, world.pairs[g.material * materials + wall.material],
-               "wall \"" + wall.name + "\"");
+  const std::vector<BodyGroup> groups = body_groups(world);
+  const auto name = [&](std::size_t g) { return "\"" + world.shapes[groups[g].shape].name + "\""; };
+  for (const PairLimit& l : pair_limits(world, groups)) {
+    if (!(l.limit() < best.limit)) continue;
+    best.limit = l.limit();
+    best.limited_by = name(l.group) + " against " +
+                      (l.wall ? "wall \"" + world.walls[l.partner].name + "\"" : name(l.partner)) +
+                      (l.tangential < l.normal ? ", tangential mode" : ", normal mode");
   }
   const RunSpec& run = world.scene.run;
   best.dt = run.dt_auto ? run.dt_fraction * best.limit : run.dt;

@@ -27,6 +27,7 @@ int resume_command(const ResumeArguments& arguments);
 
 struct CheckArguments {
   std::string scene;
+  bool json = false;
   std::vector<std::string> overrides;
 };
 int check_command(const CheckArguments& arguments);

@@ -58,9 +58,11 @@ void add_resume(CLI::App& app, ResumeArguments& a) {
 }
 
 void add_check(CLI::App& app, CheckArguments& a) {
-  CLI::App* sub = command(app, "check", "Say what a scene is, without running it.",
-                          "  dem check hopper.toml\n  dem check hopper.toml --set run.dt_fraction=0.05");
+  CLI::App* sub = command(app, "check", "Say what a scene is and what running it would cost, without running it.",
+                          "  dem check hopper.toml\n  dem check hopper.toml --set run.dt_fraction=0.05\n"
+                          "  dem check hopper.toml --json");
   sub->add_option("scene", a.scene, "Scene file (TOML)")->required()->type_name("SCENE");
+  sub->add_flag("--json", a.json, "Time step, cost and warnings as JSON");
   add_overrides(sub, a.overrides);
 }
 

@@ -1,8 +1,6 @@
 // dem run and dem resume.
 #include <fmt/format.h>
-#include <omp.h>
 
-#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <filesystem>
@@ -42,13 +40,6 @@ void report(const World& world, const std::string& folder) {
                e.done > 0 ? fmt::format("t = {:.6g} s", static_cast<double>(e.done) * world.time_step.dt) : "not yet");
   if (world.ended_by > 0) fmt::print("ended by {}\n", ended_by(world));
   fmt::print("state_hash {:016x}\n", state_hash(world));
-}
-
-// A thread must have enough to do between two barriers to be worth waking.
-int default_threads(const World& world) {
-  constexpr std::size_t particles_per_thread = 200;
-  return static_cast<int>(std::clamp<std::size_t>(world.particles.count() / particles_per_thread, 1,
-                                                  static_cast<std::size_t>(omp_get_num_procs())));
 }
 
 int carry_out(World& world, const std::string& folder, int threads, bool quiet, bool resumed) {

@@ -70,9 +70,22 @@ TEST(Check, SaysWhatTheSceneIs) {
   const Outcome o = program::dem({"check", folder.write("scene.toml", program::small_scene), "--set", "run.dt=auto"});
   ASSERT_EQ(o.exit_code, 0) << o.err;
   for (const char* part : {"bodies: 3", "ball", "egg", "floor", "dt ", "auto", "limit", "200 to t =", "Hertz",
-                           "off: no [[outlet]]", "memory", "per step measured now"})
+                           "off: no [[outlet]]", "collision at", "egg on wall floor", "Rayleigh", "impact",
+                           "weight of the bed", "rebuild of the list", "memory", "disk"})
     EXPECT_TRUE(has(o.out, part)) << part << "\nnot in\n" << o.out;
   EXPECT_EQ(folder.files(), std::vector<std::string>{"scene.toml"});
+}
+
+TEST(Check, JsonHoldsTheCost) {
+  const Folder folder;
+  const Outcome o = program::dem({"check", folder.write("scene.toml", program::small_scene), "--json"});
+  ASSERT_EQ(o.exit_code, 0) << o.err;
+  const json cost = json::parse(o.out);
+  EXPECT_EQ(cost["bodies"], 3);
+  EXPECT_EQ(cost["steps"], 200);
+  EXPECT_GT(cost["seconds"].get<double>(), 0);
+  EXPECT_GT(cost["bytes"].get<double>(), 1e6);
+  EXPECT_TRUE(cost["warnings"].is_array());
 }
 
 TEST(Check, WarnsOfAStepBeyondTheLimit) {

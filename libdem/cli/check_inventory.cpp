@@ -1,0 +1,74 @@
+// dem check: bodies, materials, walls.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "libdem/cli/check_parts.h"
+
+namespace dem::cli {
+
+namespace {
+
+void print_bodies(const World& world) {
+  const Particles& p = world.particles;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> groups;
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0, mass = 0;
+  for (std::size_t i = 0; i < p.count(); ++i) {
+    ++groups[{p.shape[i], p.material[i]}];
+    smallest = std::min(smallest, p.motion[i].equivalent_radius);
+    largest = std::max(largest, p.motion[i].equivalent_radius);
+    mass += p.mass[i];
+  }
+  head(fmt::format("bodies: {}", p.count()));
+  for (const auto& [group, count] : groups) {
+    const ShapeEntry& s = world.shapes[group.first];
+    std::string kind = shapes::name_of(s.kind);
+    if (s.polyhedron)
+      kind += fmt::format(", {} vertices, {} faces", s.polyhedron->vertices.size(), s.polyhedron->faces.size());
+    if (s.polygon) kind += fmt::format(", {} vertices", s.polygon->vertices.size());
+    line(s.name, fmt::format("{} of {} ({})", count, world.scene.materials[group.second].name, kind));
+  }
+  const char* equal = world.scene.dimension == 2 && world.scene.thickness > 0 ? "area" : "volume";
+  line("size", fmt::format("{}-equivalent radius {:.4g} to {:.4g} m", equal, smallest, largest));
+  line("mass", fmt::format("{:.6g} kg", mass));
+}
+
+void print_materials(const World& world) {
+  head("materials");
+  for (const MaterialSpec& m : world.scene.materials) {
+    std::string text = world.scene.law.name == LawName::hertz_mindlin
+                           ? fmt::format("young {:.4g} Pa, poisson {:.4g}", m.young, m.poisson)
+                           : fmt::format("stiffness {:.4g} N/m", m.stiffness);
+    if (m.rigid) text = "rigid";
+    line(m.name, fmt::format("{}, density {:.4g} kg/m^3, restitution {:.4g}, friction {:.4g}", text, m.density,
+                             m.restitution, m.friction));
+    if (!m.source.empty()) line("", fmt::format("like {}: {}", m.like, m.source));
+  }
+  for (const MaterialPairSpec& p : world.scene.pairs)
+    if (!p.source.empty()) line("friction", fmt::format("{} on {}: {}", p.a, p.b, p.source));
+}
+
+void print_walls(const World& world) {
+  head(fmt::format("walls: {}", world.walls.size()));
+  const char* const motions[] = {"fixed", "translation", "rotation", "oscillation", "table", "servo"};
+  for (const Wall& w : world.walls) {
+    std::string text = fmt::format("{}, {}", w.motion.kind, motions[static_cast<std::size_t>(w.motion.motion)]);
+    if (w.motion.motion == WallMotion::servo) text += fmt::format(" that keeps {:.4g} N", w.target);
+    if (w.mesh) text += fmt::format(", {} triangles in {} facets", w.mesh->triangles.size() / 3, w.mesh->facets.size());
+    if (std::isfinite(w.motion.remove_at)) text += fmt::format(", removed at {:.4g} s", w.motion.remove_at);
+    line(w.name, text);
+  }
+}
+
+}  // namespace
+
+void print_inventory(const World& world) {
+  print_bodies(world);
+  print_materials(world);
+  print_walls(world);
+}
+
+}  // namespace dem::cli

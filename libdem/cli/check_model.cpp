@@ -1,0 +1,150 @@
+// dem check: what is modelled and what is off, with the reason, as the scene and its format have it.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "libcontact/dispatch.h"
+#include "libdem/cli/check_parts.h"
+#include "libdem/render/render.h"
+#include "libdem/scene/format_words.h"
+
+namespace dem::cli {
+
+namespace {
+
+void print_space(const World& world) {
+  const Scene& s = world.scene;
+  if (s.dimension == 2)
+    line("space", s.disc_model == DiscModel::sphere
+                      ? "2-D: spheres that move in the plane z = 0"
+                      : fmt::format("2-D: prisms of {:.4g} m that move in the plane z = 0", s.thickness));
+  else
+    line("space", "3-D");
+  std::string box;
+  for (int k = 0; k < 3; ++k)
+    if (world.cell.lattice.length[k] > 0)
+      box += fmt::format("{} {} from {:.6g} to {:.6g} m", box.empty() ? "on:" : ",", "xyz"[k], world.cell.lower[k],
+                         world.cell.lower[k] + world.cell.lattice.length[k]);
+  line("periodic", box.empty() ? "off: periodic.axes is none" : box);
+  const auto& deform = s.periodic.deform;
+  if (!box.empty())
+    line("deformation", deform.empty() ? "off: no [[periodic.deform]]" : fmt::format("on: {} entries", deform.size()));
+  line("gravity", s.gravity == Vec3d{}
+                      ? "off: world.gravity is zero"
+                      : fmt::format("{:.6g} {:.6g} {:.6g} m/s^2", s.gravity.x, s.gravity.y, s.gravity.z));
+}
+
+void print_law(const World& world) {
+  const LawSpec& law = world.scene.law;
+  const bool hertz = law.name == LawName::hertz_mindlin;
+  // Pairs of materials that can meet in this scene: those of two bodies, or of a body and a wall.
+  const std::size_t n = world.materials.size();
+  std::set<std::uint32_t> bodies(world.particles.material.begin(), world.particles.material.end()), all = bodies;
+  for (const Wall& w : world.walls) all.insert(w.material);
+  std::size_t pairs = 0, rough = 0, damped = 0;
+  for (const std::uint32_t a : bodies)
+    for (const std::uint32_t b : all) {
+      if (b < a && bodies.count(b) > 0) continue;
+      const PairParameters& q = world.pairs[a * n + b];
+      ++pairs;
+      rough += q.friction > 0 ? 1 : 0;
+      damped += q.restitution < 1 ? 1 : 0;
+    }
+  const auto share = [&](std::size_t some, const char* what, const char* off) {
+    if (some == 0) return std::string(off);
+    return some == pairs ? fmt::format("on ({})", what)
+                         : fmt::format("on ({}) in {} of {} pairs of materials", what, some, pairs);
+  };
+  line("normal force", hertz ? "Hertz" : "linear spring");
+  if (rough == 0)
+    line("tangential", "off: without friction nothing holds it");
+  else
+    line("tangential", hertz ? fmt::format("Mindlin, no slip, rescale {}", law.rescale) : "linear spring");
+  line("friction", share(rough, "Coulomb", "off: every pair of materials has friction 0"));
+  line("damping", share(damped, "dashpot", "off: every pair has restitution 1"));
+  const auto& kinds = world.particles.kind;
+  const bool flat = std::any_of(kinds.begin(), kinds.end(), [](shapes::Kind k) {
+    return k == shapes::Kind::polyhedron || k == shapes::Kind::rounded_polyhedron || k == shapes::Kind::polygon;
+  });
+  if (flat) line("patches", "on: faces on faces resist rolling and twisting by the area that they share");
+}
+
+// What some scenes need and the format may not have. Asked of the format, so that a line goes when a key comes.
+void print_absent() {
+  constexpr std::array<std::array<const char*, 2>, 6> wanted{{{"rolling", "rolling"},
+                                                              {"cohesion", "cohesion"},
+                                                              {"liquid", "liquid"},
+                                                              {"fluid", "fluid"},
+                                                              {"heat", "temperature"},
+                                                              {"breakage", "strength"}}};
+  std::vector<std::string> absent;
+  for (const auto& [name, stem] : wanted)
+    if (!some_key_holds(stem)) absent.emplace_back(name);
+  if (!absent.empty())
+    line("not modelled", fmt::format("{}: the scene format has no key for them", fmt::join(absent, ", ")));
+}
+
+void print_drivers(const World& world) {
+  std::vector<std::string> moving, gates;
+  for (const Wall& w : world.walls) {
+    if (w.motion.motion != WallMotion::fixed) moving.push_back(w.name);
+    if (std::isfinite(w.motion.remove_at)) gates.push_back(fmt::format("{} at {:.4g} s", w.name, w.motion.remove_at));
+  }
+  const char* none = world.walls.empty() ? "off: no [[wall]]" : "off: every wall.motion is fixed";
+  line("moving walls", moving.empty() ? none : fmt::format("{}", fmt::join(moving, ", ")));
+  if (!gates.empty()) line("gates", fmt::format("{}", fmt::join(gates, ", ")));
+  line("outlets", world.scene.outlets.empty() ? "off: no [[outlet]]" : fmt::format("{}", world.scene.outlets.size()));
+}
+
+// Which method answers which pair of kinds that the scene has.
+void print_detection(const World& world) {
+  std::set<shapes::Kind> bodies(world.particles.kind.begin(), world.particles.kind.end()), all = bodies;
+  for (const Wall& w : world.walls) all.insert(w.kind);
+  std::vector<std::pair<std::string, std::vector<std::string>>> methods;
+  for (const shapes::Kind a : bodies)
+    for (const shapes::Kind b : all) {
+      if (b < a) continue;
+      const contact::ChunkQuery chosen = contact::find(a, b, world.scene.method);
+      for (const auto* m = contact::methods_begin(); m != contact::methods_end(); ++m) {
+        if (m->a != a || m->b != b || contact::find(a, b, m->name) != chosen) continue;
+        const std::string name(m->name), pair = fmt::format("{}-{}", shapes::name_of(a), shapes::name_of(b));
+        auto at = std::find_if(methods.begin(), methods.end(), [&](const auto& x) { return x.first == name; });
+        if (at == methods.end()) at = methods.insert(at, {name, {}});
+        at->second.push_back(pair);
+        break;
+      }
+    }
+  bool first = true;
+  for (const auto& [name, pairs] : methods) {
+    line(first ? "detection" : "", fmt::format("{}: {}", name, fmt::join(pairs, ", ")));
+    first = false;
+  }
+}
+
+void print_output(const World& world) {
+  const OutputSpec& o = world.scene.output;
+  const char* files = o.vtk && o.hdf5 ? "frames.pvd, record.h5" : o.vtk ? "frames.pvd" : o.hdf5 ? "record.h5" : nullptr;
+  line("frames", files == nullptr ? "off: output.vtk and output.hdf5 are false"
+                 : o.interval > 0 ? fmt::format("every {:.4g} s ({})", o.interval, files)
+                                  : fmt::format("first and last: output.interval is 0 ({})", files));
+  line("picture", !o.picture             ? "off: output.picture is false"
+                  : !render::available() ? "off: built without Embree"
+                                         : "final.png");
+}
+
+}  // namespace
+
+void print_model(const World& world) {
+  head("model");
+  print_space(world);
+  print_law(world);
+  print_drivers(world);
+  print_absent();
+  print_detection(world);
+  print_output(world);
+}
+
+}  // namespace dem::cli
