@@ -7,27 +7,12 @@
 #include "libcontact/methods/method.h"
 #include "libcontact/methods/polyhedron_pair.h"
 #include "libcontact/methods/polyhedron_plane.h"
+#include "libcontact/methods/rounded_parts.h"
 #include "libcontact/methods/sat.h"
 #include "libcontact/scale.h"
 
 namespace contact {
 namespace {
-
-// Directions that two queries of one face give differ by rounding only.
-constexpr double same_direction = 1 - 64 * epsilon;
-
-Status status_of(const Contact& c) {
-  return c.gap_lower > 0 ? Status::separated : (c.gap_upper < 0 ? Status::overlapping : Status::touching);
-}
-
-// Takes the radii off the gap of the cores; `allowance` for the rounding of doing so, m.
-void take_off(Contact& c, double radii, double allowance) {
-  c.gap -= radii;
-  c.gap_lower -= radii + allowance;
-  c.gap_upper += allowance - radii;
-  c.method_overlap = -c.gap;
-  c.status = status_of(c);
-}
 
 void move(Contact& c, const Vec3d& by) {
   c.point_a += by;

@@ -36,8 +36,9 @@ TEST(Dispatch, catalogue_is_in_kind_order_then_by_cost) {
 }
 
 TEST(Dispatch, every_pair_of_particles_and_every_particle_against_a_wall_is_answered) {
-  for (const Kind particle : {Kind::sphere, Kind::ellipsoid, Kind::polyhedron})
-    for (const Kind other : {Kind::sphere, Kind::ellipsoid, Kind::polyhedron, Kind::plane, Kind::mesh})
+  for (const Kind particle : {Kind::sphere, Kind::ellipsoid, Kind::polyhedron, Kind::rounded_polyhedron})
+    for (const Kind other :
+         {Kind::sphere, Kind::ellipsoid, Kind::polyhedron, Kind::rounded_polyhedron, Kind::plane, Kind::mesh})
       EXPECT_EQ(find(particle, other) != nullptr, particle <= other) << name_of(particle) << " " << name_of(other);
   EXPECT_EQ(find(Kind::plane, Kind::mesh), nullptr);
   for (const Kind particle : {Kind::disc, Kind::ellipse, Kind::polygon}) {
