@@ -29,7 +29,9 @@ struct Particles {
   std::vector<std::uint32_t> shape;     // index into World::shapes
   std::vector<shapes::Kind> kind;       // of the shape
   std::vector<std::uint32_t> material;  // index into World::materials
-  std::vector<Vec3d> size;  // sphere (r, r, r), ellipsoid semi-axes, polyhedron, polygon (scale, …), m or –
+  // Sphere (r, r, r), ellipsoid semi-axes, polyhedron, polygon (scale, …), rounded polyhedron (scale, radius, 0), m or
+  // –.
+  std::vector<Vec3d> size;
   std::vector<Motion> motion;
   std::vector<Quatd> orientation;       // body -> world
   std::vector<Vec3d> rotation;          // ∫ω dt, rad

@@ -92,8 +92,66 @@ void make_polygon(const ShapeSpec& s, const Scene& scene, ShapeEntry& e) {
   e.mass_power = 2;
   const double moment = p.second_moment * scene.thickness;
   e.inertia = {moment, moment, moment};
-  e.prism = std::make_shared<const shapes::Polyhedron>(prism_of(p));
+  e.drawing = std::make_shared<const shapes::Polyhedron>(prism_of(p));
   e.polygon = std::make_shared<const shapes::Polygon>(std::move(p));
+}
+
+void set_mass_properties(const shapes::MassProperties& m, ShapeEntry& e) {
+  e.volume = m.volume;
+  e.inertia = {m.inertia.row[0].x, m.inertia.row[1].y, m.inertia.row[2].z};
+  e.equivalent_radius = shapes::equivalent_radius(m.volume);
+}
+
+// The core whose rounded body has the volume of a sphere of a diameter: the size of the whole grows with that of the
+// core, by the secant rule from both sides.
+shapes::Polyhedron core_of_diameter(const shapes::Polyhedron& p, double rounding, double diameter) {
+  const double wanted = 0.5 * diameter;
+  if (!(rounding < wanted))
+    throw shapes::Error("rounding of " + std::to_string(rounding) + " m does not fit into a body of diameter " +
+                        std::to_string(diameter) + " m; allowed: rounding < diameter/2");
+  const auto excess = [&](double scale) {
+    const shapes::RoundedPolyhedron body{shapes::scaled(p, scale), rounding};
+    return shapes::equivalent_radius(shapes::mass_properties(body).volume) - wanted;
+  };
+  // Without its rounding the body is too small at `high` only by what the rounding adds: too large with it.
+  double high = wanted / shapes::equivalent_radius(p.mass.volume), low = high * (1 - rounding / wanted) * 0.5;
+  double over = excess(high), under = excess(low);
+  while (under > 0) under = excess(low *= 0.5);
+  for (int i = 0; i < 60 && high - low > 0x1p-50 * high && over != under; ++i) {
+    const double secant = low - under * ((high - low) / (over - under));
+    const double scale = i % 3 == 2 || !(secant > low && secant < high) ? 0.5 * (low + high) : secant;
+    const double at = excess(scale);
+    if (at > 0)
+      high = scale, over = at;
+    else
+      low = scale, under = at;
+    if (at == 0) break;
+  }
+  return shapes::scaled(p, low);
+}
+
+void make_solid(const ShapeSpec& s, ShapeEntry& e) {
+  shapes::Polyhedron p = polyhedron_of(s);
+  if (s.diameter > 0)
+    p = s.rounding > 0 ? core_of_diameter(p, s.rounding, s.diameter)
+                       : shapes::scaled(p, s.diameter / (2 * shapes::equivalent_radius(p.mass.volume)));
+  if (s.rounding > 0) {
+    shapes::RoundedPolyhedron body = shapes::make_rounded(p, s.rounding);
+    e.kind = shapes::Kind::rounded_polyhedron;
+    e.size = {1, s.rounding, 0};
+    set_mass_properties(shapes::mass_properties(body), e);
+    e.circumradius = shapes::circumradius(body);
+    e.inscribed_radius = shapes::inscribed_radius(body);
+    e.drawing = std::make_shared<const shapes::Polyhedron>(shapes::drawing_of(body));
+    p = std::move(body.core);
+  } else {
+    e.kind = shapes::Kind::polyhedron;
+    e.size = {1, 1, 1};
+    set_mass_properties(p.mass, e);
+    e.circumradius = p.circumradius;
+    e.inscribed_radius = p.inscribed_radius;
+  }
+  e.polyhedron = std::make_shared<const shapes::Polyhedron>(std::move(p));
 }
 
 }  // namespace
@@ -104,11 +162,9 @@ ShapeEntry make_shape(const ShapeSpec& s, const Scene& scene) {
   try {
     if (s.kind == "sphere") {
       const shapes::Sphere sphere{s.radius};
-      const auto m = shapes::mass_properties(sphere);
       e.kind = shapes::Kind::sphere;
       e.size = {s.radius, s.radius, s.radius};
-      e.volume = m.volume;
-      e.inertia = {m.inertia.row[0].x, m.inertia.row[1].y, m.inertia.row[2].z};
+      set_mass_properties(shapes::mass_properties(sphere), e);
       e.circumradius = e.inscribed_radius = e.equivalent_radius = s.radius;
     } else if (s.kind == "disc") {
       e.kind = shapes::Kind::disc;
@@ -120,25 +176,13 @@ ShapeEntry make_shape(const ShapeSpec& s, const Scene& scene) {
       make_polygon(s, scene, e);
     } else if (s.kind == "ellipsoid") {
       const shapes::Ellipsoid ellipsoid{s.semi_axes};
-      const auto m = shapes::mass_properties(ellipsoid);
       e.kind = shapes::Kind::ellipsoid;
       e.size = s.semi_axes;
-      e.volume = m.volume;
-      e.inertia = {m.inertia.row[0].x, m.inertia.row[1].y, m.inertia.row[2].z};
+      set_mass_properties(shapes::mass_properties(ellipsoid), e);
       e.circumradius = shapes::circumradius(ellipsoid);
       e.inscribed_radius = shapes::inscribed_radius(ellipsoid);
-      e.equivalent_radius = shapes::equivalent_radius(m.volume);
     } else {
-      shapes::Polyhedron p = polyhedron_of(s);
-      if (s.diameter > 0) p = shapes::scaled(p, s.diameter / (2 * shapes::equivalent_radius(p.mass.volume)));
-      e.kind = shapes::Kind::polyhedron;
-      e.size = {1, 1, 1};
-      e.volume = p.mass.volume;
-      e.inertia = {p.mass.inertia.row[0].x, p.mass.inertia.row[1].y, p.mass.inertia.row[2].z};
-      e.circumradius = p.circumradius;
-      e.inscribed_radius = p.inscribed_radius;
-      e.equivalent_radius = shapes::equivalent_radius(e.volume);
-      e.polyhedron = std::make_shared<const shapes::Polyhedron>(std::move(p));
+      make_solid(s, e);
     }
   } catch (const shapes::Error& error) {
     input_error(s.where, "shape \"" + s.name + "\": " + error.what());

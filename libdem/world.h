@@ -21,18 +21,21 @@ namespace dem {
 struct ShapeEntry {  // a named shape of the scene, at scale 1
   std::string name;
   shapes::Kind kind = shapes::Kind::sphere;
-  std::shared_ptr<const shapes::Polyhedron> polyhedron;  // kind polyhedron only
+  std::shared_ptr<const shapes::Polyhedron> polyhedron;  // of polyhedra; of rounded ones the core
   std::shared_ptr<const shapes::Polygon> polygon;        // kind polygon only; its centroid is the origin
-  std::shared_ptr<const shapes::Polyhedron> prism;       // kind polygon only: what pictures show of it
-  Vec3d size{};                  // sphere (r, r, r), ellipsoid semi-axes, polyhedron, polygon (1, 1, 1)
-  double volume = 0;             // m³; of a prism: area times thickness
-  int mass_power = 3;            // mass grows as scale^3, that of a prism as scale^2
-  double equivalent_radius = 0;  // m, of the sphere of equal volume; of a prism: disc of equal area
-  Vec3d inertia{};               // principal, per unit density, m⁵
+  std::shared_ptr<const shapes::Polyhedron> drawing;     // of rounded polyhedra and polygons: what pictures show
+  // Sphere (r, r, r), ellipsoid semi-axes, polyhedron, polygon (1, 1, 1), rounded polyhedron (1, rounding, 0).
+  Vec3d size{};
+  double volume = 0;                              // m³; of a prism: area times thickness
+  int mass_power = 3;                             // mass grows as scale^3, that of a prism as scale^2
+  double equivalent_radius = 0;                   // m, of the sphere of equal volume; of a prism: disc of equal area
+  Vec3d inertia{};                                // principal, per unit density, m⁵
   double circumradius = 0, inscribed_radius = 0;  // m
   const void* geometry() const {                  // as contact::Body holds it
     return polygon ? static_cast<const void*>(polygon.get()) : polyhedron.get();
   }
+  // What is drawn, to be scaled by the first component of a body's size; null: round.
+  const shapes::Polyhedron* drawn() const { return drawing ? drawing.get() : polyhedron.get(); }
 };
 
 struct Wall {

@@ -29,6 +29,7 @@ void print_bodies(const World& world) {
     if (s.polyhedron)
       kind += fmt::format(", {} vertices, {} faces", s.polyhedron->vertices.size(), s.polyhedron->faces.size());
     if (s.polygon) kind += fmt::format(", {} vertices", s.polygon->vertices.size());
+    if (s.kind == shapes::Kind::rounded_polyhedron) kind += fmt::format(" rounded by {:.4g} m", s.size.y);
     line(s.name, fmt::format("{} of {} ({})", count, world.scene.materials[group.second].name, kind));
   }
   const char* equal = world.scene.dimension == 2 && world.scene.thickness > 0 ? "area" : "volume";

@@ -25,16 +25,18 @@ shapes::Kind kind_of_word(const std::string& word, bool wall) {
   return word == "regular_polygon" ? shapes::Kind::polygon : shapes::Kind::polyhedron;
 }
 
-// What each kind of scene becomes: the schema's words for bodies and walls.
+// What each kind of scene becomes: the schema's words for bodies and walls. What makes a polyhedron makes a rounded one
+// with shape.rounding.
 Json shapes_json() {
   Json out = Json::array();
   for (std::size_t i = 0; i < shapes::kind_count; ++i) {
     const auto kind = static_cast<shapes::Kind>(i);
-    const bool wall = shapes::is_wall(kind);
+    const bool wall = shapes::is_wall(kind), rounded = kind == shapes::Kind::rounded_polyhedron;
+    const shapes::Kind made = rounded ? shapes::Kind::polyhedron : kind;
     Json words = Json::array();
     const Key* key = find_key(wall ? "wall.kind" : "shape.kind");
     for (const std::string& word : key->choices)
-      if (kind_of_word(word, wall) == kind) words.push_back(word);
+      if (kind_of_word(word, wall) == made) words.push_back(rounded ? word + " with rounding" : word);
     out.push_back({{"name", shapes::name_of(kind)}, {"use", wall ? "wall" : "body"}, {"scene_kinds", words}});
   }
   return out;

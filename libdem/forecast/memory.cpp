@@ -27,9 +27,8 @@ constexpr double row_size = growth * (sizeof(Key) + 2 * sizeof(std::uint32_t)); 
 double geometry_of(const World& world) {
   double sum = 0;
   for (const ShapeEntry& s : world.shapes)
-    if (s.polyhedron)
-      sum += static_cast<double>(sizeof *s.polyhedron) + bytes(s.polyhedron->vertices) + bytes(s.polyhedron->faces) +
-             bytes(s.polyhedron->face_vertices);
+    for (const shapes::Polyhedron* p : {s.polyhedron.get(), s.drawing.get()})
+      if (p) sum += static_cast<double>(sizeof *p) + bytes(p->vertices) + bytes(p->faces) + bytes(p->face_vertices);
   for (const Wall& w : world.walls)
     if (w.mesh)
       sum += static_cast<double>(sizeof *w.mesh) + bytes(w.mesh->vertices) + bytes(w.mesh->triangles) +

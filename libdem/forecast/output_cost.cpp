@@ -88,7 +88,7 @@ PictureCost picture_cost(const World& world) {
   const double per_pixel = std::max(0.0, larger - small) / (240 * 180 - 80 * 60);
   double corners = 0;
   for (std::size_t i = 0; i < world.particles.count(); ++i) {
-    const auto& body = world.shapes[world.particles.shape[i]].polyhedron;
+    const shapes::Polyhedron* body = world.shapes[world.particles.shape[i]].drawn();
     corners += body ? static_cast<double>(body->face_vertices.size()) : 2;
   }
   constexpr double bytes_per_corner = 160;  // a triangle in single precision and its share of the tree over them

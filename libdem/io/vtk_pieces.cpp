@@ -18,9 +18,7 @@ std::array<double, 3> list(const Vec3d& v) { return {v.x, v.y, v.z}; }
 std::int32_t index32(std::size_t i) { return static_cast<std::int32_t>(i); }
 
 // Drawn by its faces: a polyhedron, or a polygon as one cell.
-bool is_faceted(const World& world, std::size_t i) {
-  return world.shapes[world.particles.shape[i]].geometry() != nullptr;
-}
+bool is_faceted(const World& world, std::size_t i) { return world.shapes[world.particles.shape[i]].drawn() != nullptr; }
 
 }  // namespace
 
@@ -78,8 +76,8 @@ bool write_polyhedra(const std::string& path, const World& world) {
     const ShapeEntry& body = world.shapes[p.shape[i]];
     const Mat3d r = rotation_matrix(p.orientation[i]);
     const std::size_t base = points.size();
-    for (const Vec3d& v : body.polygon ? body.polygon->vertices : body.polyhedron->vertices)
-      points.push_back(p.motion[i].position + r * scaled(p.size[i], v));
+    for (const Vec3d& v : body.polygon ? body.polygon->vertices : body.drawn()->vertices)
+      points.push_back(p.motion[i].position + r * (p.size[i].x * v));
     const auto end_cell = [&] {
       ends.push_back(index32(connectivity.size()));
       particle.push_back(static_cast<std::int64_t>(p.id[i]));
@@ -93,9 +91,9 @@ bool write_polyhedra(const std::string& path, const World& world) {
       end_cell();
       continue;
     }
-    for (const auto& face : body.polyhedron->faces) {
+    for (const auto& face : body.drawn()->faces) {
       for (std::uint32_t k = 0; k < face.count; ++k)
-        connectivity.push_back(index32(base + body.polyhedron->face_vertices[face.first + k]));
+        connectivity.push_back(index32(base + body.drawn()->face_vertices[face.first + k]));
       end_cell();
     }
   }

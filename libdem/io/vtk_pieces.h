@@ -16,7 +16,8 @@ struct VtkPiece {
 // Spheres and ellipsoids as points: id, shape, material, radius (of the sphere of equal volume), velocity, spin,
 // quaternion (w, x, y, z), tensor R diag(a, b, c) Rᵀ whose eigenvectors and eigenvalues are axes and semi-axes.
 bool write_rounds(const std::string& path, const World& world);
-// Polyhedra by their faces, polygons as one cell each: per cell particle (its id), shape, material, speed.
+// Polyhedra by their faces (rounded ones as polyhedra inscribed in them), polygons as one cell each: per cell particle
+// (its id), shape, material, speed.
 bool write_polyhedra(const std::string& path, const World& world);
 // Touching contacts as lines from centre to centre, or from the centre to the contact point at a wall: a, b (a wall:
 // −1 − its index), force (on a), force_magnitude, tangential, normal, overlap, point.

@@ -71,8 +71,7 @@ Picture picture_of(const World& world, const View& view) {
                          : by == "material" ? p.material[i]
                          : by == "species"  ? p.species[i]
                                             : load[i];
-    const shapes::Polyhedron* solid = shape.prism ? shape.prism.get() : shape.polyhedron.get();
-    picture.bodies.push_back({shape.kind, solid, p.size[i], p.motion[i].position, p.orientation[i], value});
+    picture.bodies.push_back({shape.kind, shape.drawn(), p.size[i], p.motion[i].position, p.orientation[i], value});
   }
   return picture;
 }

@@ -162,7 +162,7 @@ struct Tracer::Scene {
       const shapes::Polyhedron& shape = *list[i].polyhedron;
       const Mat3d r = rotation_matrix(list[i].orientation);
       const auto base = static_cast<std::uint32_t>(vertices.size());
-      for (const Vec3d& v : shape.vertices) vertices.push_back(list[i].position + r * scaled(list[i].size, v));
+      for (const Vec3d& v : shape.vertices) vertices.push_back(list[i].position + r * (list[i].size.x * v));
       for (const auto& face : shape.faces) {
         const std::uint32_t* loop = &shape.face_vertices[face.first];
         for (std::uint32_t k = 2; k < face.count; ++k) {

@@ -78,7 +78,9 @@ struct LawSpec {
 // sphere: radius. ellipsoid: semi_axes. box: extents. prism: sides, circumradius, height. tetrahedron … icosahedron:
 // circumradius. In the plane: disc: radius; ellipse: semi_axis_a, semi_axis_b; polygon: vertices in order;
 // regular_polygon: sides, circumradius. polyhedron: vertices, or half_spaces, or file (OFF, OBJ, STL); `diameter` > 0
-// rescales a polyhedron so that its volume-equivalent sphere has this diameter.
+// rescales a polyhedron so that its volume-equivalent sphere has this diameter. `rounding` > 0 rounds edges and
+// corners of all flat-faced kinds of space: the body is every point within this distance of the polyhedron, `diameter`
+// that of the whole.
 struct ShapeSpec {
   std::string name, kind;
   double radius = 0;
@@ -90,6 +92,7 @@ struct ShapeSpec {
   std::vector<std::array<double, 4>> half_spaces;  // nx, ny, nz, offset
   std::string file;                                // resolved path
   double diameter = 0;                             // m
+  double rounding = 0;                             // m, 0: sharp
   Where where;
 };
 

@@ -161,6 +161,9 @@ std::vector<Key> shape_keys() {
   kinds.push_back("polyhedron");
   std::vector<std::string> round{"prism", "regular_polygon"};
   round.insert(round.end(), platonic.begin(), platonic.end());
+  std::vector<std::string> flat{"box", "prism"};
+  flat.insert(flat.end(), platonic.begin(), platonic.end());
+  flat.push_back("polyhedron");
   return {
       value<&ShapeSpec::name>("name", "", "Name by which bodies refer to it.").own_name(),
       value<&ShapeSpec::kind>("kind", "", "What it is.").one_of(kinds).must(),
@@ -210,6 +213,11 @@ std::vector<Key> shape_keys() {
           "diameter", "m", "Rescales the body to the volume of a sphere of this diameter; needed by shipped shapes.")
           .above(0)
           .when("kind", {"polyhedron"}),
+      value<&ShapeSpec::rounding>("rounding", "m",
+                                  "Rounds edges and corners: the body is all that lies within this distance of the "
+                                  "polyhedron (shape.diameter is that of the whole).")
+          .above(0)
+          .when("kind", flat),
   };
 }
 
