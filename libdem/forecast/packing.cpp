@@ -15,16 +15,20 @@ double dearness(shapes::Kind k) {
   return k == shapes::Kind::ellipse || k == shapes::Kind::ellipsoid ? 4 : 12;
 }
 
-// The world without bodies, walls, gravity and output; one that cannot stop for its doubts.
+// The world's shapes, materials, law and step, and nothing else of it; it cannot stop for its doubts.
 World emptied(const World& world) {
+  const Scene& scene = world.scene;
   World w;
-  w.scene = world.scene;
-  w.scene.gravity = {};
-  w.scene.walls.clear();
-  w.scene.fills.clear();
-  w.scene.bodies.clear();
-  w.scene.csv.clear();
-  w.scene.outlets.clear();
+  w.scene.path = scene.path;
+  w.scene.run = scene.run;
+  w.scene.output = scene.output;
+  w.scene.dimension = scene.dimension;
+  w.scene.disc_model = scene.disc_model;
+  w.scene.thickness = scene.thickness;
+  w.scene.method = scene.method;
+  w.scene.law = scene.law;
+  w.scene.materials = scene.materials;
+  w.scene.pairs = scene.pairs;
   w.scene.run.rebuild_every = 0;
   w.scene.run.max_uncertified_share = 1;
   w.shapes = world.shapes;
