@@ -250,7 +250,7 @@ const std::vector<BadInput> inputs{
      "",
      SHAPE("kind = \"box\"\nextents = [0.01, 0.01, 0.01]\nrounding = 0\n"),
      nullptr,
-     {"shape.rounding = 0: allowed 0 < rounding"}},
+     {"shape.rounding = 0: allowed shape.rounding > 0"}},
     {"rounding_of_a_sphere",
      "",
      SHAPE("kind = \"sphere\"\nradius = 0.01\nrounding = 0.001\n"),
