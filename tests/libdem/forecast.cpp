@@ -136,6 +136,22 @@ TEST(Forecast, SpeedsOfWallsAndFallsWithoutAFloor) {
   EXPECT_NE(warnings.back().find("3 of 3 bodies have no wall below"), std::string::npos) << warnings.back();
 }
 
+TEST(Forecast, NeighboursInABoxThatDeforms) {
+  Scene s = two_sizes();
+  s.gravity = {};
+  s.walls.clear();
+  s.periodic.axes = "xyz";
+  s.periodic.lower = {-1, -1, -1};
+  s.periodic.upper = {1, 1, 1};
+  s.periodic.deform.resize(2);
+  s.periodic.deform[0].strain_rates = {-0.25, 0, 0.125};
+  s.periodic.deform[1].strain_rates = {-1, 0, 0};
+  s.periodic.deform[1].start = 20;  // after the end of the run
+  const auto loads = forecast::expected_loads(build_world(s));
+  EXPECT_EQ(loads.flow_speed, 2 * 0.01 * 0.25);
+  EXPECT_EQ(loads.impact, loads.flow_speed);
+}
+
 TEST(Forecast, AServoPressesByItsForceOverItsArea) {
   Scene s = two_sizes();
   WallSpec lid = scenes::plane("lid", "rough", {0, 0, 2}, {0, 0, -1});
