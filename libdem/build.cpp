@@ -256,11 +256,11 @@ World build_world(const Scene& scene) {
   compute_forces(world, 1, 0.0);  // no time has passed: history of initial contacts begins without slip
   check_initial_overlap(world, where);
   sum_forces(world, 1);
-  start_cell(world);
   const Vec3d p = momentum(world);
   world.balance.initial_momentum = {p.x, p.y, p.z};
   for (const std::uint32_t i : order_by_id(world)) world.balance.initial_mass += world.particles.mass[i];
   world.balance.present.add(world.balance.initial_mass);
+  start_cell(world);
   return world;
 }
 

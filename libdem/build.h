@@ -25,6 +25,9 @@ struct Stiffness {
   double n, t;
 };
 Stiffness contact_stiffness(const World& world, std::size_t record);
+// Of the dashpot of a touching contact of two bodies as it is now, 2 β sqrt(m* kn) with m* from the bodies' masses, N
+// s/m.
+double contact_damping(const World& world, std::size_t record);
 // What the body of a touching contact with a wall opposes to the wall's speed: (1 + 2β) sqrt(kn m), N s/m.
 double contact_resistance(const World& world, std::size_t record);
 // The smallest limit of the contacts as they are now, s; +infinity without contacts.

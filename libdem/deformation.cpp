@@ -13,43 +13,80 @@ namespace {
 
 constexpr double largest_strain = 0.01;  // of a length in one step
 
+struct Resistance {  // of springs and dashpots to a strain, times V: V M, J; V η, J s
+  double stiffness = 0, viscosity = 0;
+  void add(double kn, double cn, double overlap_over_strain) {
+    const double square = overlap_over_strain * overlap_over_strain;
+    stiffness += kn * square;
+    viscosity += cn * square;
+  }
+  Resistance& operator+=(const Resistance& r) {
+    stiffness += r.stiffness;
+    viscosity += r.viscosity;
+    return *this;
+  }
+};
+
+struct Load {           // of the cell
+  Mat3d virial{};       // (2), J
+  Resistance along[3];  // to a strain of each axis by itself
+  Resistance together;  // to one strain of all axes of the servo
+  Load& operator+=(const Load& l) {
+    for (int k = 0; k < 3; ++k) {
+      virial.row[k] += l.virial.row[k];
+      along[k] += l.along[k];
+    }
+    together += l.together;
+    return *this;
+  }
+};
+
 void add_product(Mat3d& m, const Vec3d& a, const Vec3d& b) {
   for (int k = 0; k < 3; ++k) m.row[k] += b * a[k];
 }
 
-// The share of record k in (2).
-void add_contact(const World& world, std::size_t k, Mat3d& sum) {
+// What record k adds; the resistance only where a servo asks for it.
+void add_contact(const World& world, std::size_t k, const DeformSpec* servo, Load& sum) {
   const Contacts& c = world.contacts;
   const auto& motion = world.particles.motion;
   const Vec3d d = world.cell.lattice.nearest(motion[c.index_b[k]].position - motion[c.index_a[k]].position);
-  add_product(sum, -c.slot[k].force, d);
+  add_product(sum.virial, -c.slot[k].force, d);
+  if (servo == nullptr) return;
+  const double kn = contact_stiffness(world, k).n, cn = contact_damping(world, k);
+  double all = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!servo->follows(axis)) continue;
+    const double closing = c.history[k].normal[axis] * d[axis];
+    sum.along[axis].add(kn, cn, closing);
+    all += closing;
+  }
+  sum.together.add(kn, cn, all);
 }
 
 // Each body adds its contacts with bodies of higher id, in order of their ids; then the bodies are added in order of
 // id. The order of storage, which depends on rebuilds, does not matter.
-Mat3d virial_of(const World& world, int threads) {
+Load load_of(const World& world, int threads, const DeformSpec* servo = nullptr) {
   const Contacts& c = world.contacts;
   const Particles& p = world.particles;
-  std::vector<Mat3d> of(world.next_id);
+  std::vector<Load> of(world.next_id);
   const bool listed = c.active_count.size() == p.count();  // not so in a state that was read from a file
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::size_t i = 0; i < p.count(); ++i) {
-    Mat3d& sum = of[p.id[i]];
+    Load& sum = of[p.id[i]];
     const Vec3d& v = p.motion[i].velocity;
-    add_product(sum, v * p.mass[i], v);
+    add_product(sum.virial, v * p.mass[i], v);
     if (!listed) continue;
     const std::uint32_t first = c.incidence_start[i];
     for (std::uint32_t e = first; e < first + c.active_count[i]; ++e) {
       const std::size_t k = c.active[e] >> 1;
-      if (c.key[k].a == p.id[i] && c.key[k].b < wall_base) add_contact(world, k, sum);
+      if (c.key[k].a == p.id[i] && c.key[k].b < wall_base) add_contact(world, k, servo, sum);
     }
   }
   if (!listed)
     for (std::size_t k = 0; k < c.count(); ++k)
-      if (c.touching[k] != 0 && c.key[k].b < wall_base) add_contact(world, k, of[c.key[k].a]);
-  Mat3d total;
-  for (const Mat3d& m : of)
-    for (int k = 0; k < 3; ++k) total.row[k] += m.row[k];
+      if (c.touching[k] != 0 && c.key[k].b < wall_base) add_contact(world, k, servo, of[c.key[k].a]);
+  Load total;
+  for (const Load& l : of) total += l;
   return total;
 }
 
@@ -61,9 +98,49 @@ const DeformSpec* present(const World& world) {
   return found;
 }
 
-void set_rates(World& world) {
+bool is_servo(const DeformSpec* spec) { return spec != nullptr && spec->stress_axes != "none"; }
+
+// (3)
+double servo_rate(const DeformSpec& spec, double lacking, const Resistance& resistance, double mass, double volume,
+                  double length, double present_rate) {
+  const double viscosity = resistance.viscosity / volume;
+  const double impedance = length * std::sqrt(mass * resistance.stiffness) / (volume * spec.gain) + viscosity;
+  const double wanted = lacking - viscosity * present_rate;
+  if (std::abs(wanted) < spec.rate_limit * impedance) return -wanted / impedance;
+  return wanted > 0 ? -spec.rate_limit : wanted < 0 ? spec.rate_limit : 0;
+}
+
+// The rates of the step that begins now.
+void set_rates(World& world, const DeformSpec* spec, const Load& load) {
+  Vec3d& rate = world.cell.lattice.rate;
+  const Vec3d before = rate;
+  rate = spec != nullptr ? spec->strain_rates : Vec3d{};
+  if (!is_servo(spec)) return;
+  const Vec3d& length = world.cell.lattice.length;
+  const double volume = cell_volume(world), mass = world.balance.present.value();
+  double lacking = 0, shortest = 0, axes = 0, mean_before = 0;
+  for (int k = 0; k < 3; ++k) {
+    if (!spec->follows(k)) continue;
+    const double lack = spec->target_stress[k] - load.virial.row[k][k] / volume;
+    rate[k] = servo_rate(*spec, lack, load.along[k], mass, volume, length[k], before[k]);
+    lacking += lack;
+    mean_before += before[k];
+    shortest = axes == 0 ? length[k] : std::min(shortest, length[k]);
+    axes += 1;
+  }
+  if (!spec->isotropic) return;
+  const Resistance mean{load.together.stiffness / axes, load.together.viscosity / axes};
+  const double common = servo_rate(*spec, lacking / axes, mean, mass, volume, shortest, mean_before / axes);
+  for (int k = 0; k < 3; ++k)
+    if (spec->follows(k)) rate[k] = common;
+}
+
+// Load of the present state, and the rates that follow from it.
+Load steer(World& world, int threads) {
   const DeformSpec* spec = present(world);
-  world.cell.lattice.rate = spec != nullptr ? spec->strain_rates : Vec3d{};
+  const Load load = load_of(world, threads, is_servo(spec) ? spec : nullptr);
+  set_rates(world, spec, load);
+  return load;
 }
 
 }  // namespace
@@ -86,14 +163,13 @@ void start_cell(World& world) {
   if (!world.cell.deforms) return;
   const double dt = world.time_step.dt;
   for (const DeformSpec& d : world.scene.periodic.deform) {
-    const double fastest = shapes::max_abs(d.strain_rates);
+    const double fastest = std::max(shapes::max_abs(d.strain_rates), d.rate_limit);
     if (fastest * dt > largest_strain)
       input_error(d.where, fmt::format("periodic.deform: a rate of {} 1/s changes the box by {:.3g} % in one time step "
                                        "of {:.3g} s; allowed: up to {} %",
                                        fastest, 100 * fastest * dt, dt, 100 * largest_strain));
   }
-  world.cell.virial = virial_of(world, 1);
-  set_rates(world);
+  world.cell.virial = steer(world, 1).virial;
 }
 
 CellStep deform_box(Cell& cell, double dt) {
@@ -128,11 +204,10 @@ void finish_cell_step(World& world, int threads, double dt) {
                       "each body at a time; allowed: from {} m, four times the largest bounding radius",
                       world.step, length, "xyz"[k], needed));
   }
-  const Mat3d virial = virial_of(world, threads);
-  for (int k = 0; k < 3; ++k)
-    cell.work.add(-0.5 * dt * cell.lattice.rate[k] * (cell.virial.row[k][k] + virial.row[k][k]));
+  const Vec3d rate = cell.lattice.rate;
+  const Mat3d virial = steer(world, threads).virial;
+  for (int k = 0; k < 3; ++k) cell.work.add(-0.5 * dt * rate[k] * (cell.virial.row[k][k] + virial.row[k][k]));
   cell.virial = virial;
-  set_rates(world);
 }
 
 bool is_whole(const World& world) {
@@ -147,7 +222,7 @@ double cell_volume(const World& world) {
 }
 
 Mat3d cell_stress(const World& world) {
-  Mat3d s = world.cell.deforms ? world.cell.virial : virial_of(world, 1);
+  Mat3d s = world.cell.deforms ? world.cell.virial : load_of(world, 1).virial;
   for (Vec3d& row : s.row) row *= 1 / cell_volume(world);
   return s;
 }

@@ -6,6 +6,13 @@
 //   V σ = Σ m v⊗v − Σ f⊗d,   f: force on a, d: from the centre of a to that of b                                   (2)
 // By (1) the energy of undamped bodies changes by −V σ : G, the work of the cell, and Σ m v = 0 stays zero. Over a step
 // G is constant and (1) is advanced to second order: a length at constant rate r grows as exp(r t).
+// Servo: the rate of a length L, or one rate for several, follows from what its stress lacks,
+//   rate = −(target − σ₀)/(L sqrt(ρ M)/gain + η),  at most rate_limit either way                                   (3)
+// M, η: stiffness of the touching normal springs, and viscosity of their dashpots, under a homogeneous strain, Pa,
+// Pa s; ρ: mass over volume; L: the shortest of the lengths; σ₀: the stress without what η bears at the present rate
+// (else stress and rate would call each other up from step to step). The strain that is lacking, (target − σ)/M, is
+// worked off as fast as sound, sqrt(M/ρ), crosses L. True packings are softer than M, so it takes longer, but does not
+// overshoot. Without contacts the rate is rate_limit.
 #pragma once
 
 #include "libdem/world.h"

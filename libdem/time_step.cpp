@@ -63,6 +63,14 @@ Stiffness contact_stiffness(const World& world, std::size_t k) {
   return stiffness_at(world, world.pairs[p.material[a] * world.materials.size() + mb], radius, c.history[k].overlap);
 }
 
+double contact_damping(const World& world, std::size_t k) {
+  const Particles& p = world.particles;
+  const std::uint32_t a = world.contacts.index_a[k], b = world.contacts.index_b[k];
+  const PairParameters& q = world.pairs[p.material[a] * world.materials.size() + p.material[b]];
+  const double mass = 1 / (p.motion[a].inverse_mass + p.motion[b].inverse_mass);
+  return 2 * law_beta(world, q) * std::sqrt(mass * contact_stiffness(world, k).n);
+}
+
 double contact_resistance(const World& world, std::size_t k) {
   const Contacts& c = world.contacts;
   const std::uint32_t a = c.index_a[k], material = world.walls[c.index_b[k]].material;

@@ -15,6 +15,21 @@ namespace dem::cli {
 
 namespace {
 
+void print_deformation(const PeriodicSpec& box) {
+  if (box.deform.empty()) line("deformation", "off: no [[periodic.deform]]");
+  for (const DeformSpec& d : box.deform) {
+    std::string text;
+    for (int k = 0; k < 3; ++k) {
+      if (!text.empty()) text += ", ";
+      text += d.follows(k) ? fmt::format("{} to {:.6g} Pa", "xyz"[k], d.target_stress[k])
+                           : fmt::format("{} at {:.6g}/s", "xyz"[k], d.strain_rates[k]);
+    }
+    if (d.stress_axes != "none")
+      text += fmt::format("; at most {:.6g}/s{}", d.rate_limit, d.isotropic ? ", one rate for all of them" : "");
+    line("deformation", fmt::format("from {:.4g} s on: {}", d.start, text));
+  }
+}
+
 void print_space(const World& world) {
   const Scene& s = world.scene;
   if (s.dimension == 2)
@@ -29,9 +44,7 @@ void print_space(const World& world) {
       box += fmt::format("{} {} from {:.6g} to {:.6g} m", box.empty() ? "on:" : ",", "xyz"[k], world.cell.lower[k],
                          world.cell.lower[k] + world.cell.lattice.length[k]);
   line("periodic", box.empty() ? "off: periodic.axes is none" : box);
-  const auto& deform = s.periodic.deform;
-  if (!box.empty())
-    line("deformation", deform.empty() ? "off: no [[periodic.deform]]" : fmt::format("on: {} entries", deform.size()));
+  if (!box.empty()) print_deformation(s.periodic);
   line("gravity", s.gravity == Vec3d{}
                       ? "off: world.gravity is zero"
                       : fmt::format("{:.6g} {:.6g} {:.6g} m/s^2", s.gravity.x, s.gravity.y, s.gravity.z));

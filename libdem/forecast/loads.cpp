@@ -199,7 +199,12 @@ Loads expected_loads(const World& world) {
   loads.body_speed = std::max(fastest, norm(Vec3d{velocity[0].length(), velocity[1].length(), velocity[2].length()}));
   for (const Wall& w : world.walls) loads.wall_speed = std::max(loads.wall_speed, speed_of(world, w, time));
   for (const DeformSpec& d : world.scene.periodic.deform)
-    if (d.start < time) loads.flow_speed = std::max(loads.flow_speed, 2 * largest * max_abs(d.strain_rates));
+    if (d.start < time) {
+      const double rate = std::max(max_abs(d.strain_rates), d.rate_limit);
+      loads.flow_speed = std::max(loads.flow_speed, 2 * largest * rate);
+      if (const double target = max_abs(d.target_stress); target > 0)
+        loads.pressures.push_back({"periodic box", target});
+    }
   if (world.scene.dimension == 2) {
     loads.solid_fraction = 0.8;
     loads.contacts = 4;

@@ -90,9 +90,32 @@ class PeriodicRules : RuleContext {
     const char* const kept = "a box that deforms keeps its bodies: not with periodic.deform";
     for (std::size_t i = 0; i < scene.rains.size(); ++i) wrong("rain", i, nullptr, kept);
     for (std::size_t i = 0; i < scene.outlets.size(); ++i) wrong("outlet", i, nullptr, kept);
-    for (std::size_t i = 1; i < box_.deform.size(); ++i)
-      if (!(box_.deform[i].start > box_.deform[i - 1].start))
+    for (std::size_t i = 0; i < box_.deform.size(); ++i) {
+      if (i > 0 && !(box_.deform[i].start > box_.deform[i - 1].start))
         wrong_deform(i, "start", fmt::format("does not follow {}: allowed are rising times", box_.deform[i - 1].start));
+      if (box_.deform[i].stress_axes != "none") servo(i);
+    }
+  }
+
+  void servo(std::size_t i) const {
+    const DeformSpec& d = box_.deform[i];
+    double common = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double target = d.target_stress[k];
+      if (!d.follows(k)) {
+        if (target != 0)
+          wrong_deform(i, "target_stress", fmt::format("allowed in {}: 0, or make it one of stress_axes", "xyz"[k]));
+        continue;
+      }
+      if (d.strain_rates[k] != 0)
+        wrong_deform(i, "strain_rates", fmt::format("allowed in {}: 0, it is one of stress_axes", "xyz"[k]));
+      if (!(target > 0))
+        return wrong_deform(i, "target_stress",
+                            fmt::format("allowed in {}: > 0, bodies bear compression only", "xyz"[k]));
+      if (d.isotropic && common != 0 && target != common)
+        return wrong_deform(i, "target_stress", "allowed with isotropic: the same along all stress_axes");
+      common = target;
+    }
   }
 
   const PeriodicSpec& box_;

@@ -154,10 +154,16 @@ struct CsvSpec {
   Where where;
 };
 
-struct DeformSpec {      // how the periodic box deforms from a time on, until the next one
-  double start = 0;      // s
-  Vec3d strain_rates{};  // 1/s, of the lengths over the lengths; negative compresses
+struct DeformSpec {                  // how the periodic box deforms from a time on, until the next one
+  double start = 0;                  // s
+  Vec3d strain_rates{};              // 1/s, of the lengths over the lengths; negative compresses
+  std::string stress_axes = "none";  // the letters of those axes whose rate follows the stress instead
+  Vec3d target_stress{};             // Pa, compression positive
+  double rate_limit = 0;             // 1/s
+  double gain = 1;
+  bool isotropic = false;  // one rate for all stress_axes, after the mean of their stresses
   Where where;
+  bool follows(int axis) const { return stress_axes != "none" && stress_axes.find("xyz"[axis]) != std::string::npos; }
 };
 
 struct PeriodicSpec {         // a box whose opposite faces are one face

@@ -9,23 +9,46 @@ using bind::value;
 
 namespace {
 
+const std::vector<std::string> some{"x", "y", "z", "xy", "xz", "yz", "xyz"};
+std::vector<std::string> some_or_none() {
+  std::vector<std::string> all{"none"};
+  all.insert(all.end(), some.begin(), some.end());
+  return all;
+}
+
 std::vector<Key> deform_keys() {
   return {
       value<&DeformSpec::start>("start", "s", "From this time on, until the start of the next entry.").from(0),
       value<&DeformSpec::strain_rates>("strain_rates", "1/s",
                                        "Rates of the box lengths, over the lengths; negative compresses."),
+      value<&DeformSpec::stress_axes>("stress_axes", "",
+                                      "The axes whose rate is steered towards target_stress instead.")
+          .one_of(some_or_none()),
+      value<&DeformSpec::target_stress>("target_stress", "Pa",
+                                        "Normal stress to reach along x, y, z; compression positive.")
+          .when("stress_axes", some)
+          .must(),
+      value<&DeformSpec::rate_limit>("rate_limit", "1/s", "Largest rate of the stress_axes, either way.")
+          .above(0)
+          .when("stress_axes", some)
+          .must(),
+      value<&DeformSpec::gain>(
+          "gain", "",
+          "1 = a lack of stress is worked off in the time that sound needs to cross the box; less = slower.")
+          .above(0)
+          .to(10)
+          .when("stress_axes", some),
+      value<&DeformSpec::isotropic>("isotropic", "", "One rate for all stress_axes, after the mean of their stresses.")
+          .when("stress_axes", some),
   };
 }
 
 }  // namespace
 
 std::vector<Key> periodic_keys() {
-  const std::vector<std::string> some{"x", "y", "z", "xy", "xz", "yz", "xyz"};
-  std::vector<std::string> all{"none"};
-  all.insert(all.end(), some.begin(), some.end());
   return {
       value<&PeriodicSpec::axes>("axes", "", "The axes along which what leaves the box enters it at the other side.")
-          .one_of(all),
+          .one_of(some_or_none()),
       value<&PeriodicSpec::lower>("lower", "m", "Lower corner of the box; its components along the axes count.")
           .when("axes", some)
           .must(),

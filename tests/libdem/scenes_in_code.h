@@ -187,7 +187,8 @@ inline Scene every_shape_driven(std::uint64_t count) {
   return s;
 }
 
-// `count` bodies of every shape, two clouds that meet in a periodic box which deforms: first one way, then another.
+// `count` bodies of every shape, two clouds that meet in a periodic box which deforms: first one way, then another,
+// then by its stress along two axes.
 inline Scene every_shape_in_a_cell(std::uint64_t count) {
   constexpr double edge = 0.1;
   Scene s = every_shape(count / 2);
@@ -203,11 +204,16 @@ inline Scene every_shape_in_a_cell(std::uint64_t count) {
   s.fills[1].lower.z = edge / 2;
   s.fills[1].upper.z = edge;
   s.fills[1].velocity = {-2, -3, -8};
-  DeformSpec first, second;
+  DeformSpec first, second, third;
   first.strain_rates = {-16, -8, 4};
   second.start = 0.00390625;
   second.strain_rates = {4, -24, -12};
-  s.periodic.deform = {first, second};
+  third.start = 0.005859375;
+  third.strain_rates = {0, 8, 0};
+  third.stress_axes = "xz";
+  third.target_stress = {8e4, 0, 6e4};
+  third.rate_limit = 24;
+  s.periodic.deform = {first, second, third};
   return s;
 }
 

@@ -69,6 +69,8 @@ Scene restated(Scene s, const Units& u) {
   for (DeformSpec& d : s.periodic.deform) {
     d.start *= u.of(0, 0, 1);
     scale(d.strain_rates, rate);
+    scale(d.target_stress, u.of(-1, 1, -2));
+    d.rate_limit *= rate;
   }
   for (OutletSpec& o : s.outlets) {
     scale(o.point, length);
