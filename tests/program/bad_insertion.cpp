@@ -146,7 +146,8 @@ const std::vector<BadInsertion> inputs{
     {"in_a_box_that_deforms",
      "[periodic]\naxes = \"xyz\"\nlower = [-9, -9, -9]\nupper = [9, 9, 9]\n[[periodic.deform]]\nstrain_rates = [1, "
      "0, 0]\n[[outlet]]\nname=\"o\"\nregion=\"place\"\n" RAIN("rate = 1\n") EVENT("at = 1\ngravity = [0, 0, 1]\n"),
-     {"event.gravity = [0, 0, 1]", "rain: a box that deforms keeps its bodies", "outlet: a box that deforms"}},
+     {"event.gravity = [0, 0, 1]", "rain = { name = \"shower\"",
+      "region = \"place\" }: a box that deforms keeps its bodies"}},
     {"outside_a_periodic_box",
      "[periodic]\naxes = \"x\"\nlower = [-0.05, 0, 0]\nupper = [0.05, 0, 0]\n" RAIN("rate = 1\n"),
      {"rain.region = \"place\"", "allowed within the periodic box, x = -0.05 to 0.05"}},
