@@ -27,6 +27,7 @@ enum class Status : std::uint8_t { separated, touching, overlapping, not_converg
 struct Patch {
   Vec3d centre{};         // relative to A's origin, world axes, m
   double spread[6] = {};  // xx, yy, zz, xy, xz, yz of the second moment, world axes, m²
+  double weight = 0;      // ∫h over the patch, m³; 0 of a point
 };
 
 struct Contact {

@@ -64,6 +64,7 @@ inline void rescale(Contact& c, double up) {
   c.point_b *= up;
   c.patch.centre *= up;
   for (double& moment : c.patch.spread) moment = moment * up * up;
+  c.patch.weight = c.patch.weight * up * up * up;
   c.method_overlap *= up;
   c.method_point *= up;
 }

@@ -15,6 +15,7 @@
 #include "libdem/insertion/rain.h"
 #include "libdem/insertion/region.h"
 #include "libdem/integrators/rotation.h"
+#include "libdem/parts.h"
 #include "libdem/walls.h"
 
 namespace dem {
@@ -144,8 +145,15 @@ void check_initial_overlap(const World& world, const std::vector<const Where*>& 
 // Every pair of kinds that can meet must have a method; a pair that nobody answers is refused before the run.
 void check_methods(const World& world) {
   std::array<bool, shapes::kind_count> present{};
-  for (const shapes::Kind k : world.particles.kind) present[static_cast<std::size_t>(k)] = true;
-  for (const Draft& d : coming_bodies(world)) present[static_cast<std::size_t>(world.shapes[d.shape].kind)] = true;
+  const auto with_parts = [&](shapes::Kind kind, const ShapeEntry& shape) {
+    if (shape.compound == nullptr)
+      present[static_cast<std::size_t>(kind)] = true;
+    else
+      for (const auto& part : shape.compound->parts) present[static_cast<std::size_t>(kind_of(part.kind))] = true;
+  };
+  for (std::size_t i = 0; i < world.particles.count(); ++i)
+    with_parts(world.particles.kind[i], world.shapes[world.particles.shape[i]]);
+  for (const Draft& d : coming_bodies(world)) with_parts(world.shapes[d.shape].kind, world.shapes[d.shape]);
   std::array<bool, shapes::kind_count> other = present;
   for (const Wall& w : world.walls) other[static_cast<std::size_t>(w.kind)] = true;
   for (std::size_t a = 0; a < shapes::kind_count; ++a)

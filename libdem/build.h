@@ -3,10 +3,20 @@
 
 #include "libdem/random.h"
 #include "libdem/world.h"
+#include "shapes/polyhedron.h"
 
 namespace dem {
 
 ShapeEntry make_shape(const ShapeSpec& spec, const Scene& scene);
+// A polyhedron of a scene, its file or vertices as given or in its principal frame.
+shapes::Polyhedron polyhedron_of(const ShapeSpec& spec, shapes::Frame frame);
+// Kinds clump and union; what turns out to be a single sphere, ellipsoid or polyhedron becomes that.
+void make_body_of_parts(const ShapeSpec& spec, const Scene& scene, ShapeEntry& entry);
+// A shape of one polyhedron, in its principal frame.
+void make_solid(shapes::Polyhedron polyhedron, ShapeEntry& entry);
+void make_sphere(double radius, ShapeEntry& entry);
+void make_ellipsoid(const Vec3d& semi_axes, ShapeEntry& entry);
+void set_mass_properties(const shapes::MassProperties& mass, ShapeEntry& entry);
 Wall make_wall(const WallSpec& spec, std::uint32_t material);
 
 // Appends a body; `where` is kept by the caller for messages. scale multiplies the shape's size.

@@ -14,12 +14,14 @@ namespace dem {
 using contact::Material;
 using contact::PairParameters;
 using contact::Slot;
+using shapes::Quatd;
 using shapes::Vec3d;
 
-// Who touches whom: a is a particle; b a particle (by id) or, above wall_base, a wall; part the mesh facet.
+// Who touches whom: a is a particle; b a particle (by id) or, above wall_base, a wall; part is b's: the mesh facet or
+// the part of a compound; part_a the part of a compound a.
 struct Key {
   std::uint64_t a = 0, b = 0;
-  std::uint32_t part = 0;
+  std::uint32_t part = 0, part_a = 0;
   friend auto operator<=>(const Key&, const Key&) = default;
 };
 inline constexpr std::uint64_t wall_base = std::uint64_t(1) << 63;
@@ -30,6 +32,18 @@ struct Bin {
   contact::ChunkQuery query = nullptr;  // null: sphere–sphere and sphere–plane, which have kernels of their own
   std::vector<std::uint32_t> records;
   std::vector<std::uint32_t> a_index, b_index, pair;  // of each record: its bodies, its pair of materials; padded by 4
+};
+
+// The records of one pair of bodies, or of a body and a wall, of which one at least has parts: they follow one another
+// and are answered together, because parts of one body share what they touch (contact_share.h). Their index_a is the
+// body key.a.
+struct Group {
+  std::uint32_t first, count;
+};
+// What answers a pair of parts; dispatch is by its place in Contacts::part_queries.
+struct PartQuery {
+  shapes::Kind a, b;  // in kind order
+  contact::ChunkQuery query;
 };
 
 struct Contacts {
@@ -43,7 +57,12 @@ struct Contacts {
   std::vector<contact::Cache> cache;           // likewise
   std::vector<double> stiffness, stiffness_t;  // N/m, of this step; for the monitor of the time step
 
-  std::vector<Bin> bins;
+  std::vector<Bin> bins;      // of the records that are in no group
+  std::vector<Group> groups;  // empty without bodies of parts, as are the next four
+  std::vector<PartQuery> part_queries;
+  std::vector<std::uint8_t> part_query;        // of each record
+  std::vector<double> share;                   // of each record: of the stiffness of its contact; 1 in no group
+  std::vector<Quatd> reference_orientation;    // of the particles, at the last rebuild
   std::vector<std::uint32_t> incidence_start;  // per particle (count + 1): its records in order of partner
   std::vector<std::uint32_t> incidence;        // record · 2 + (1 when the particle is b)
   std::vector<std::uint32_t> active;           // per particle, from the same start: those of its records that touch

@@ -4,73 +4,16 @@
 #include <chrono>
 #include <cmath>
 
-#include "libcontact/kernels/chunk.h"
+#include "libdem/force_pass.h"
+#include "libdem/forces_compound.h"
 #include "libdem/walls.h"
 
 namespace dem {
 namespace {
 
-using contact::kernels::chunk_size;
-using contact::kernels::KernelSet;
-using contact::kernels::Lane3;
-using contact::kernels::LawChunk;
-using contact::kernels::SphereChunk;
-
-void put(Lane3& lane, std::size_t i, const Vec3d& v) {
-  lane.x[i] = v.x;
-  lane.y[i] = v.y;
-  lane.z[i] = v.z;
-}
-Vec3d get(const Lane3& lane, std::size_t i) { return {lane.x[i], lane.y[i], lane.z[i]}; }
-
-struct WallFrame {  // of this step
-  contact::Body body;
-  Vec3d normal;  // plane, line
-};
-
-struct Tally {
-  std::uint64_t queries = 0, touching = 0, not_converged = 0, uncertified = 0;
-  Tally& operator+=(const Tally& t) {
-    queries += t.queries;
-    touching += t.touching;
-    not_converged += t.not_converged;
-    uncertified += t.uncertified;
-    return *this;
-  }
-};
-
-// One thread's working set; reused over its chunks.
-struct Scratch {
-  std::vector<std::uint32_t> changed;  // records whose contact came or went
-  LawChunk law;
-  SphereChunk spheres;
-  contact::kernels::Lane clearance;
-  std::uint32_t entry[chunk_size] = {};
-  std::uint32_t pair[chunk_size];  // the pair of materials that each lane of `law` holds
-  std::uint32_t record[chunk_size] = {}, index_a[chunk_size] = {}, index_b[chunk_size] = {};
-  contact::Body a[chunk_size], b[chunk_size];
-  Vec3d offset[chunk_size];
-  contact::Cache cache[chunk_size];
-  contact::Contact answer[chunk_size];
-  Vec3d arm_a[chunk_size], arm_b[chunk_size];
-};
-
-class ForcePass {
+class PairPass : public ForcePass {
  public:
-  ForcePass(World& world, double dt)
-      : world_(world), c_(world.contacts), p_(world.particles), set_(contact::kernels::kernels()), dt_(dt) {
-    rescale_ = world.scene.law.rescale;
-    hertz_ = world.scene.law.name == LawName::hertz_mindlin;
-    lattice_ = world.cell.periodic ? &world.cell.lattice : nullptr;
-    for (const Wall& w : world.walls) {
-      contact::Body b;
-      b.kind = w.kind;
-      b.geometry = w.mesh.get();
-      b.size = {1, 1, 1};
-      b.rotation = shapes::rotation_matrix(w.orientation);
-      walls_.push_back({b, b.rotation.column(w.kind == shapes::Kind::line ? 1 : 2)});
-    }
-  }
+  using ForcePass::ForcePass;
 
   // Records first … last of a bin, chunk by chunk.
   Tally answer(const Bin& bin, std::size_t first, std::size_t last, Scratch& s) const {
@@ -86,53 +29,6 @@ class ForcePass {
   }
 
  private:
-  void begin(std::size_t k, Scratch& s) const {
-    if (c_.touching[k] != 0) return;
-    c_.touching[k] = 1;
-    s.changed.push_back(static_cast<std::uint32_t>(k));
-  }
-
-  void forget(std::size_t k, Scratch& s) const {
-    if (c_.touching[k] == 0) return;
-    c_.history[k] = {};
-    c_.touching[k] = 0;
-    c_.slot[k] = {};
-    s.changed.push_back(static_cast<std::uint32_t>(k));
-  }
-
-  void load_pair(std::size_t i, std::uint32_t pair, Scratch& s) const {
-    if (pair == s.pair[i]) return;  // lanes keep their pair of materials from chunk to chunk: it seldom changes
-    LawChunk& l = s.law;
-    const PairParameters& q = world_.pairs[pair];
-    l.young_eff[i] = q.young_eff;
-    l.shear_eff[i] = q.shear_eff;
-    l.stiffness_n[i] = q.stiffness_n;
-    l.stiffness_t[i] = q.stiffness_t;
-    l.friction[i] = q.friction;
-    l.damping[i] = q.damping;
-    s.pair[i] = pair;
-  }
-
-  // The record numbers of a chunk's lanes, padded for the kernels that take four at a time.
-  static void pad(std::uint32_t* list, std::size_t n) {
-    for (; n % 4 != 0; ++n) list[n] = list[n - 1];
-  }
-  void load_histories(std::size_t n, Scratch& s) const {
-    pad(s.record, n);
-    set_.load_history(c_.history.data(), s.record, n, s.law);
-  }
-  // Histories and slots of a chunk back to their records; the slots are force, couple and couple_b.
-  void store(std::size_t n, Scratch& s) const {
-    set_.store_history(s.law, s.record, n, c_.history.data());
-    set_.store_slots(s.law, s.record, n, c_.slot.data());
-  }
-
-  void run_law(LawChunk& l, std::size_t n, bool patch) const {
-    const auto kernel = patch ? (hertz_ ? set_.hertz_mindlin_patch : set_.spring_dashpot_patch)
-                              : (hertz_ ? set_.hertz_mindlin : set_.spring_dashpot);
-    kernel(l, n, dt_, rescale_);
-  }
-
   // Sphere pairs: squared distances first, branch-free, while the memory of those that touch is on its way; then the
   // few that do go through the kernels.
   Tally sphere_pairs(const Bin& bin, std::size_t first, std::size_t count, Scratch& s) const {
@@ -228,23 +124,6 @@ class ForcePass {
     return t;
   }
 
-  contact::Body body_of(std::uint32_t i) const {
-    const ShapeEntry& e = world_.shapes[p_.shape[i]];
-    contact::Body b;
-    b.kind = e.kind;
-    b.geometry = e.geometry();
-    b.size = p_.size[i];
-    if (!is_round(e.kind)) b.rotation = shapes::rotation_matrix(p_.orientation[i]);
-    return b;
-  }
-
-  // 1/m of the point at `arm` along the unit vector n.
-  double inverse_mass(std::uint32_t i, const contact::Body& b, const Vec3d& arm, const Vec3d& n) const {
-    const Vec3d t = transposed_times(b.rotation, cross(arm, n));
-    const Vec3d& inertia = p_.inertia[i];
-    return p_.motion[i].inverse_mass + (t.x * t.x / inertia.x + t.y * t.y / inertia.y + t.z * t.z / inertia.z);
-  }
-
   Tally general(const Bin& bin, std::size_t first, std::size_t count, Scratch& s) const {
     const std::uint32_t* records = &bin.records[first];
     for (std::size_t r = 0; r < count; ++r) {
@@ -268,7 +147,6 @@ class ForcePass {
     bin.query(count, s.a, s.b, s.offset, {.overlap_only = true, .patch = true}, s.cache, s.answer);
     Tally t;
     t.queries = count;
-    LawChunk& l = s.law;
     std::size_t n = 0;
     for (std::size_t r = 0; r < count; ++r) {
       const std::size_t k = records[r];
@@ -282,73 +160,21 @@ class ForcePass {
       }
       if (!q.certified) ++t.uncertified;
       load_pair(n, bin.pair[first + r], s);
-      gather(k, r, n, q, s);
+      const bool wall = c_.key[k].b >= wall_base;
+      gather(k, n,
+             {-q.gap, q.normal, q.patch.centre, q.patch.spread, s.offset[r], s.a[r].rotation, s.b[r].rotation,
+              p_.motion[c_.index_a[k]].equivalent_radius, wall ? 0 : p_.motion[c_.index_b[k]].equivalent_radius,
+              q.patch.centre},
+             s);
       begin(k, s);
       s.record[n++] = static_cast<std::uint32_t>(k);
     }
     t.touching = n;
     const bool patch = bin.a == shapes::Kind::polyhedron || bin.a == shapes::Kind::rounded_polyhedron ||
                        bin.a == shapes::Kind::polygon;
-    load_histories(n, s);
-    run_law(l, n, patch);
-    for (std::size_t i = 0; i < n; ++i) {
-      const Vec3d f = get(l.force, i), couple = patch ? get(l.couple, i) : Vec3d{};
-      put(l.couple, i, cross(s.arm_a[i], f) + couple);
-      put(l.couple_b, i, -cross(s.arm_b[i], f) - couple);
-    }
-    store(n, s);
+    finish(n, patch, s);
     return t;
   }
-
-  // Kinematics of contact k, answered as q from entry r of the query, into lane n of the law chunk.
-  void gather(std::size_t k, std::size_t r, std::size_t n, const contact::Contact& q, Scratch& s) const {
-    const std::uint32_t ia = c_.index_a[k], ib = c_.index_b[k];
-    const Motion& a = p_.motion[ia];
-    LawChunk& l = s.law;
-    const Vec3d arm_a = q.patch.centre;
-    Vec3d velocity = a.velocity + cross(a.spin, arm_a), arm_b, spin_b;
-    double radius = a.equivalent_radius, w = inverse_mass(ia, s.a[r], arm_a, q.normal);
-    if (c_.key[k].b >= wall_base) {
-      const Wall& wall = world_.walls[ib];
-      arm_b = a.position + arm_a - wall.position;
-      spin_b = wall.spin;
-      velocity -= wall.velocity + cross(wall.spin, arm_b);
-    } else {
-      const Motion& b = p_.motion[ib];
-      arm_b = arm_a - s.offset[r];
-      spin_b = b.spin;
-      velocity -= b.velocity + cross(b.spin, arm_b);
-      if (lattice_ != nullptr) velocity -= lattice_->flow(s.offset[r]);
-      radius = radius * b.equivalent_radius / (radius + b.equivalent_radius);
-      w += inverse_mass(ib, s.b[r], arm_b, q.normal);
-    }
-    c_.centre[k] = arm_a;
-    l.overlap[n] = -q.gap;
-    put(l.normal, n, q.normal);
-    put(l.velocity, n, velocity);
-    l.turn[n] = 0.5 * dot(a.spin + spin_b, q.normal);
-    l.radius_eff[n] = radius;
-    l.mass_eff[n] = 1 / w;
-    put(l.relative_spin, n, a.spin - spin_b);
-    const double* m = q.patch.spread;
-    l.spread_xx[n] = m[0];
-    l.spread_yy[n] = m[1];
-    l.spread_zz[n] = m[2];
-    l.spread_xy[n] = m[3];
-    l.spread_xz[n] = m[4];
-    l.spread_yz[n] = m[5];
-    s.arm_a[n] = arm_a;
-    s.arm_b[n] = arm_b;
-  }
-
-  World& world_;
-  Contacts& c_;
-  const Particles& p_;
-  const KernelSet& set_;
-  double dt_;
-  bool rescale_ = true, hertz_ = true;
-  const contact::Lattice* lattice_ = nullptr;  // null: bodies have no images
-  std::vector<WallFrame> walls_;
 };
 
 // Lists the touching records of both bodies of record k anew; the order stays that of the partners.
@@ -368,10 +194,11 @@ void relist(Contacts& c, std::uint32_t k) {
 
 void compute_forces(World& world, int threads, double dt) {
   const auto begin = std::chrono::steady_clock::now();
-  const ForcePass pass(world, dt);
+  const PairPass pass(world, dt);
+  const CompoundPass compounds(world, dt);
   // Tasks of about ten microseconds, the dear ones first, so that threads end together.
   struct Task {
-    const Bin* bin;
+    const Bin* bin;  // null: groups
     std::size_t first, last;
   };
   std::vector<Task> tasks;
@@ -379,6 +206,14 @@ void compute_forces(World& world, int threads, double dt) {
     for (std::size_t i = 0; i < bin.records.size(); i += size)
       tasks.push_back({&bin, i, std::min(i + size, bin.records.size())});
   };
+  const std::vector<Group>& groups = world.contacts.groups;
+  for (std::size_t first = 0, g = 0, records = 0; g < groups.size(); ++g) {
+    records += groups[g].count;
+    if (records < chunk_size && g + 1 < groups.size()) continue;
+    tasks.push_back({nullptr, first, g + 1});
+    first = g + 1;
+    records = 0;
+  }
   for (const Bin& b : world.contacts.bins)
     if (b.query != nullptr) add(b, chunk_size / 2);
   for (const Bin& b : world.contacts.bins)
@@ -392,7 +227,9 @@ void compute_forces(World& world, int threads, double dt) {
     Tally mine;
 #pragma omp for schedule(dynamic, 1)
     for (std::size_t i = 0; i < tasks.size(); ++i) {
-      mine += pass.answer(*tasks[i].bin, tasks[i].first, tasks[i].last, scratch);
+      const Task& task = tasks[i];
+      mine += task.bin == nullptr ? compounds.answer(task.first, task.last, scratch)
+                                  : pass.answer(*task.bin, task.first, task.last, scratch);
     }
 #pragma omp critical
     {

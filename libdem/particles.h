@@ -29,8 +29,7 @@ struct Particles {
   std::vector<std::uint32_t> shape;     // index into World::shapes
   std::vector<shapes::Kind> kind;       // of the shape
   std::vector<std::uint32_t> material;  // index into World::materials
-  // Sphere (r, r, r), ellipsoid semi-axes, polyhedron, polygon (scale, …), rounded polyhedron (scale, radius, 0), m or
-  // –.
+  // Sphere (r, r, r), ellipsoid semi-axes, m; rounded polyhedron (scale, radius, 0); others (scale, scale, scale).
   std::vector<Vec3d> size;
   std::vector<Motion> motion;
   std::vector<Quatd> orientation;       // body -> world

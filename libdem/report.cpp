@@ -43,6 +43,7 @@ std::vector<ContactReport> touching_contacts(const World& world) {
     r.a = p.id[c.index_a[k]];
     r.b = r.wall ? c.index_b[k] : p.id[c.index_b[k]];
     r.part = c.key[k].part;
+    r.part_a = c.key[k].part_a;
     r.overlap = c.history[k].overlap;
     r.normal = c.history[k].normal;
     r.point = p.motion[c.index_a[k]].position + centre_of(world, k);
@@ -81,9 +82,15 @@ Vec3d momentum(const World& world) {
 }
 
 double contacts_per_particle(const World& world) {
+  const Contacts& c = world.contacts;
   std::size_t n = 0;
-  for (std::size_t k = 0; k < world.contacts.count(); ++k)
-    n += world.contacts.touching[k] != 0 && world.contacts.key[k].b < wall_base ? 1 : 0;
+  std::pair<std::uint64_t, std::uint64_t> last{wall_base, wall_base};  // parts of one pair follow one another
+  for (std::size_t k = 0; k < c.count(); ++k) {
+    const std::pair pair(c.key[k].a, c.key[k].b);
+    if (c.touching[k] == 0 || pair.second >= wall_base || pair == last) continue;
+    last = pair;
+    ++n;
+  }
   return world.particles.count() > 0 ? static_cast<double>(n) / static_cast<double>(world.particles.count()) : 0;
 }
 
@@ -115,6 +122,7 @@ std::uint64_t state_hash(const World& world) {
     add(c.key[k].a);
     add(c.key[k].b);
     add(c.key[k].part);
+    if (c.key[k].part_a != 0) add(c.key[k].part_a);
     add(c.history[k]);
   }
   return hash;

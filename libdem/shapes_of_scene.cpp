@@ -9,27 +9,63 @@
 #include "shapes/polyhedron_build.h"
 
 namespace dem {
-namespace {
-
-shapes::Polyhedron polyhedron_of(const ShapeSpec& s) {
+shapes::Polyhedron polyhedron_of(const ShapeSpec& s, shapes::Frame frame) {
   using shapes::Platonic;
   constexpr std::pair<const char*, Platonic> solids[] = {{"tetrahedron", Platonic::tetrahedron},
                                                          {"cube", Platonic::cube},
                                                          {"octahedron", Platonic::octahedron},
                                                          {"dodecahedron", Platonic::dodecahedron},
                                                          {"icosahedron", Platonic::icosahedron}};
+  // Rounding adds to the volume: see core_of_diameter.
+  const auto sized = [&](shapes::Polyhedron p) {
+    if (!(s.diameter > 0) || s.rounding > 0) return p;
+    return shapes::scaled(p, s.diameter / (2 * shapes::equivalent_radius(p.mass.volume)));
+  };
   if (s.kind == "box") return shapes::make_box(s.extents);
   if (s.kind == "prism") return shapes::make_prism(s.sides, s.circumradius, s.height);
   for (const auto& [name, solid] : solids)
     if (s.kind == name) return shapes::make_platonic(solid, s.circumradius);
-  if (!s.file.empty()) return shapes::polyhedron_from_file(s.file, shapes::Frame::principal);
+  if (!s.file.empty()) return sized(shapes::polyhedron_from_file(s.file, frame));
   if (!s.half_spaces.empty()) {
     std::vector<shapes::HalfSpace> planes;
     for (const auto& h : s.half_spaces) planes.push_back({{h[0], h[1], h[2]}, h[3]});
-    return shapes::polyhedron_from_half_spaces(planes, shapes::Frame::principal);
+    return sized(shapes::polyhedron_from_half_spaces(planes, frame));
   }
-  return shapes::polyhedron_from_points(s.vertices, shapes::Frame::principal);
+  return sized(shapes::polyhedron_from_points(s.vertices, frame));
 }
+
+void set_mass_properties(const shapes::MassProperties& m, ShapeEntry& e) {
+  e.volume = m.volume;
+  e.inertia = {m.inertia.row[0].x, m.inertia.row[1].y, m.inertia.row[2].z};
+  e.equivalent_radius = shapes::equivalent_radius(m.volume);
+}
+
+void make_sphere(double radius, ShapeEntry& e) {
+  e.kind = shapes::Kind::sphere;
+  e.size = {radius, radius, radius};
+  set_mass_properties(shapes::mass_properties(shapes::Sphere{radius}), e);
+  e.circumradius = e.inscribed_radius = e.equivalent_radius = radius;
+}
+
+void make_ellipsoid(const Vec3d& semi_axes, ShapeEntry& e) {
+  const shapes::Ellipsoid ellipsoid{semi_axes};
+  e.kind = shapes::Kind::ellipsoid;
+  e.size = semi_axes;
+  set_mass_properties(shapes::mass_properties(ellipsoid), e);
+  e.circumradius = shapes::circumradius(ellipsoid);
+  e.inscribed_radius = shapes::inscribed_radius(ellipsoid);
+}
+
+void make_solid(shapes::Polyhedron p, ShapeEntry& e) {
+  e.kind = shapes::Kind::polyhedron;
+  e.size = {1, 1, 1};
+  set_mass_properties(p.mass, e);
+  e.circumradius = p.circumradius;
+  e.inscribed_radius = p.inscribed_radius;
+  e.polyhedron = std::make_shared<const shapes::Polyhedron>(std::move(p));
+}
+
+namespace {
 
 // An ellipse of the plane: a prism of the scene's thickness h, m = ρ π a b h, I = m (a² + b²)/4, or (a = b) a sphere
 // that moves in the plane. The moment about z stands for all three: nothing turns about another axis.
@@ -96,12 +132,6 @@ void make_polygon(const ShapeSpec& s, const Scene& scene, ShapeEntry& e) {
   e.polygon = std::make_shared<const shapes::Polygon>(std::move(p));
 }
 
-void set_mass_properties(const shapes::MassProperties& m, ShapeEntry& e) {
-  e.volume = m.volume;
-  e.inertia = {m.inertia.row[0].x, m.inertia.row[1].y, m.inertia.row[2].z};
-  e.equivalent_radius = shapes::equivalent_radius(m.volume);
-}
-
 // The core whose rounded body has the volume of a sphere of a diameter: the size of the whole grows with that of the
 // core, by the secant rule from both sides.
 shapes::Polyhedron core_of_diameter(const shapes::Polyhedron& p, double rounding, double diameter) {
@@ -130,28 +160,17 @@ shapes::Polyhedron core_of_diameter(const shapes::Polyhedron& p, double rounding
   return shapes::scaled(p, low);
 }
 
-void make_solid(const ShapeSpec& s, ShapeEntry& e) {
-  shapes::Polyhedron p = polyhedron_of(s);
-  if (s.diameter > 0)
-    p = s.rounding > 0 ? core_of_diameter(p, s.rounding, s.diameter)
-                       : shapes::scaled(p, s.diameter / (2 * shapes::equivalent_radius(p.mass.volume)));
-  if (s.rounding > 0) {
-    shapes::RoundedPolyhedron body = shapes::make_rounded(p, s.rounding);
-    e.kind = shapes::Kind::rounded_polyhedron;
-    e.size = {1, s.rounding, 0};
-    set_mass_properties(shapes::mass_properties(body), e);
-    e.circumradius = shapes::circumradius(body);
-    e.inscribed_radius = shapes::inscribed_radius(body);
-    e.drawing = std::make_shared<const shapes::Polyhedron>(shapes::drawing_of(body));
-    p = std::move(body.core);
-  } else {
-    e.kind = shapes::Kind::polyhedron;
-    e.size = {1, 1, 1};
-    set_mass_properties(p.mass, e);
-    e.circumradius = p.circumradius;
-    e.inscribed_radius = p.inscribed_radius;
-  }
-  e.polyhedron = std::make_shared<const shapes::Polyhedron>(std::move(p));
+void make_rounded(const ShapeSpec& s, ShapeEntry& e) {
+  shapes::Polyhedron p = polyhedron_of(s, shapes::Frame::principal);
+  if (s.diameter > 0) p = core_of_diameter(p, s.rounding, s.diameter);
+  shapes::RoundedPolyhedron body = shapes::make_rounded(p, s.rounding);
+  e.kind = shapes::Kind::rounded_polyhedron;
+  e.size = {1, s.rounding, 0};
+  set_mass_properties(shapes::mass_properties(body), e);
+  e.circumradius = shapes::circumradius(body);
+  e.inscribed_radius = shapes::inscribed_radius(body);
+  e.drawing = std::make_shared<const shapes::Polyhedron>(shapes::drawing_of(body));
+  e.polyhedron = std::make_shared<const shapes::Polyhedron>(std::move(body.core));
 }
 
 }  // namespace
@@ -161,11 +180,7 @@ ShapeEntry make_shape(const ShapeSpec& s, const Scene& scene) {
   e.name = s.name;
   try {
     if (s.kind == "sphere") {
-      const shapes::Sphere sphere{s.radius};
-      e.kind = shapes::Kind::sphere;
-      e.size = {s.radius, s.radius, s.radius};
-      set_mass_properties(shapes::mass_properties(sphere), e);
-      e.circumradius = e.inscribed_radius = e.equivalent_radius = s.radius;
+      make_sphere(s.radius, e);
     } else if (s.kind == "disc") {
       e.kind = shapes::Kind::disc;
       make_planar(scene, s.radius, s.radius, e);
@@ -175,14 +190,13 @@ ShapeEntry make_shape(const ShapeSpec& s, const Scene& scene) {
     } else if (s.kind == "polygon" || s.kind == "regular_polygon") {
       make_polygon(s, scene, e);
     } else if (s.kind == "ellipsoid") {
-      const shapes::Ellipsoid ellipsoid{s.semi_axes};
-      e.kind = shapes::Kind::ellipsoid;
-      e.size = s.semi_axes;
-      set_mass_properties(shapes::mass_properties(ellipsoid), e);
-      e.circumradius = shapes::circumradius(ellipsoid);
-      e.inscribed_radius = shapes::inscribed_radius(ellipsoid);
+      make_ellipsoid(s.semi_axes, e);
+    } else if (s.kind == "clump" || s.kind == "union") {
+      make_body_of_parts(s, scene, e);
+    } else if (s.rounding > 0) {
+      make_rounded(s, e);
     } else {
-      make_solid(s, e);
+      make_solid(polyhedron_of(s, shapes::Frame::principal), e);
     }
   } catch (const shapes::Error& error) {
     input_error(s.where, "shape \"" + s.name + "\": " + error.what());

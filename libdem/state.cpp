@@ -2,6 +2,7 @@
 #include <bit>
 #include <cstring>
 
+#include "libdem/broad_phase/part_candidates.h"
 #include "libdem/world.h"
 
 namespace dem {
@@ -63,6 +64,7 @@ struct Kept {
   contact::History history;
   Slot slot;
   Vec3d centre;
+  double share;
 };
 
 struct WallState {
@@ -131,8 +133,8 @@ std::vector<std::uint8_t> save_state(const World& world) {
   std::vector<Kept> kept;
   for (std::size_t k = 0; k < c.count(); ++k)
     if (c.touching[k] != 0)
-      kept.push_back(
-          {c.key[k], c.index_a[k], c.index_b[k], c.history[k], c.slot[k], c.centre.empty() ? Vec3d{} : c.centre[k]});
+      kept.push_back({c.key[k], c.index_a[k], c.index_b[k], c.history[k], c.slot[k],
+                      c.centre.empty() ? Vec3d{} : c.centre[k], c.share.empty() ? 1 : c.share[k]});
   w.list(kept);
   return std::move(w.bytes);
 }
@@ -162,6 +164,7 @@ void load_state(World& world, const std::vector<std::uint8_t>& bytes) {
   r.done();
   // The touching contacts alone are a list that output can read; the next step makes the full one.
   Contacts& c = world.contacts = {};
+  const bool parts = has_compounds(world);
   for (const Kept& k : kept) {
     c.key.push_back(k.key);
     c.index_a.push_back(k.a);
@@ -170,6 +173,7 @@ void load_state(World& world, const std::vector<std::uint8_t>& bytes) {
     c.touching.push_back(1);
     c.slot.push_back(k.slot);
     c.centre.push_back(k.centre);
+    if (parts) c.share.push_back(k.share);
   }
 }
 

@@ -13,6 +13,7 @@
 #include "libcontact/laws/list.h"
 #include "libdem/build.h"
 #include "libdem/insertion/rain.h"
+#include "libdem/parts.h"
 
 namespace dem {
 namespace {
@@ -28,9 +29,11 @@ Compliance compliance(const World& world, std::size_t i) {
   const Vec3d& inertia = p.inertia[i];
   const double smallest = std::min({inertia.x, inertia.y, inertia.z}), r = m.bounding_radius;
   const bool sphere = is_round(p.kind[i]);
-  // Across the body's longest line the lever of a normal force is at most half the difference to the inscribed sphere.
+  // Across the body's longest line the lever of a normal force is at most half the difference to the inscribed sphere;
+  // a body of parts may be hollow there.
   const double inscribed = world.shapes[p.shape[i]].inscribed_radius * (r / world.shapes[p.shape[i]].circumradius);
-  const double arm2 = sphere ? 0 : r * r - inscribed * inscribed;
+  const bool convex = p.kind[i] != shapes::Kind::compound;
+  const double arm2 = sphere ? 0 : r * r - (convex ? inscribed * inscribed : 0);
   return {m.inverse_mass + arm2 / smallest, m.inverse_mass + r * r / smallest};
 }
 
@@ -58,9 +61,13 @@ Stiffness contact_stiffness(const World& world, std::size_t k) {
   const Particles& p = world.particles;
   const bool wall = c.key[k].b >= wall_base;
   const std::uint32_t a = c.index_a[k], b = c.index_b[k], mb = wall ? world.walls[b].material : p.material[b];
-  double radius = p.motion[a].equivalent_radius;
-  if (!wall) radius = radius * p.motion[b].equivalent_radius / (radius + p.motion[b].equivalent_radius);
-  return stiffness_at(world, world.pairs[p.material[a] * world.materials.size() + mb], radius, c.history[k].overlap);
+  const double radius_a = part_radius(world, a, c.key[k].part_a);
+  const double radius_b = wall ? 0 : part_radius(world, b, c.key[k].part);
+  const double radius = wall ? radius_a : radius_a * radius_b / (radius_a + radius_b);
+  const Stiffness s =
+      stiffness_at(world, world.pairs[p.material[a] * world.materials.size() + mb], radius, c.history[k].overlap);
+  const double share = c.share.empty() ? 1 : c.share[k];
+  return {share * s.n, share * s.t};
 }
 
 double contact_damping(const World& world, std::size_t k) {

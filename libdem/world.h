@@ -24,7 +24,8 @@ struct ShapeEntry {  // a named shape of the scene, at scale 1
   std::shared_ptr<const shapes::Polyhedron> polyhedron;  // of polyhedra; of rounded ones the core
   std::shared_ptr<const shapes::Polygon> polygon;        // kind polygon only; its centroid is the origin
   std::shared_ptr<const shapes::Polyhedron> drawing;     // of rounded polyhedra and polygons: what pictures show
-  // Sphere (r, r, r), ellipsoid semi-axes, polyhedron, polygon (1, 1, 1), rounded polyhedron (1, rounding, 0).
+  std::shared_ptr<const shapes::Compound> compound;      // kind compound only
+  // Sphere (r, r, r), ellipsoid semi-axes, rounded polyhedron (1, rounding, 0), others (1, 1, 1).
   Vec3d size{};
   double volume = 0;                              // m³; of a prism: area times thickness
   int mass_power = 3;                             // mass grows as scale^3, that of a prism as scale^2
@@ -162,11 +163,11 @@ struct RunError : std::runtime_error {
 struct ContactReport {
   std::uint64_t a, b;  // ids; b = wall index when wall
   bool wall;
-  std::uint32_t part;
-  double overlap;       // m
-  Vec3d normal, point;  // point in world coordinates, m
-  Vec3d force;          // on a, N
-  Vec3d tangential;     // its tangential part, N
+  std::uint32_t part, part_a;  // as in Key
+  double overlap;              // m
+  Vec3d normal, point;         // point in world coordinates, m
+  Vec3d force;                 // on a, N
+  Vec3d tangential;            // its tangential part, N
 };
 std::vector<ContactReport> touching_contacts(const World& world);
 

@@ -23,7 +23,8 @@ struct Compound {
   struct Part {
     PartKind kind = PartKind::sphere;
     Vec3d centre{};                           // of its own frame, in the body frame, m
-    Mat3d rotation = Mat3d::identity();       // its axes -> body axes; other than the identity for ellipsoids only
+    Quatd orientation{};                      // its axes -> body axes; other than the identity for ellipsoids only
+    Mat3d rotation = Mat3d::identity();       // the same
     Vec3d size{};                             // sphere (r, r, r), ellipsoid semi-axes, m; polyhedron (1, 1, 1)
     std::shared_ptr<const Polyhedron> solid;  // polyhedron, about `centre`
     double bounding_radius = 0;               // of a sphere about `centre` that holds the part, m

@@ -150,7 +150,10 @@ Compound::Part finished(const Part& p, const Pose& frame, const Mat3d& rotation)
   out.centre = to_body(p.centre);
   out.size = p.size;
   if (p.kind != Kind::polyhedron) {
-    if (p.kind == Kind::ellipsoid) out.rotation = transposed(rotation) * p.rotation;
+    if (p.kind == Kind::ellipsoid) {
+      out.orientation = normalized(conjugate(frame.orientation) * p.orientation);
+      out.rotation = rotation_matrix(out.orientation);
+    }
     out.bounding_radius = max_abs(p.size);
     out.inscribed_radius = std::min({p.size.x, p.size.y, p.size.z});
     out.equivalent_radius =
@@ -181,6 +184,7 @@ void finish_single(const Part& part, Compound& body) {
     Part own = part;
     own.centre = {};
     own.rotation = Mat3d::identity();
+    own.orientation = {};
     body.parts.push_back(finished(own, {}, Mat3d::identity()));
     return;
   }

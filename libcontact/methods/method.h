@@ -61,7 +61,7 @@ inline Contact smooth_contact(double gap, double lower, double upper, const Vec3
           .normal = normal,
           .point_a = point_a,
           .point_b = point_b,
-          .patch = {.centre = centre, .spread = {0, 0, 0, 0, 0, 0}},
+          .patch = {.centre = centre, .spread = {0, 0, 0, 0, 0, 0}, .weight = 0},
           .method_overlap = -gap * up,
           .method_normal = normal,
           .method_point = centre,

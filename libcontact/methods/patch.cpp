@@ -57,6 +57,7 @@ bool make_patch(const DepthMoments& m, const PlaneFrame& plane, Patch& patch) {
   const double uu = std::fmax(m.huu / m.h - u * u, 0.0), vv = std::fmax(m.hvv / m.h - v * v, 0.0);
   const double uv = m.huv / m.h - u * v;
   patch.centre = plane(u, v, -0.5 * (m.hh / m.h));  // (2)
+  patch.weight = m.h;
   const Vec3d& a = plane.u;
   const Vec3d& b = plane.v;
   const auto moment = [&](int i, int j) {
@@ -75,7 +76,9 @@ Patch rotated(const Patch& patch, const Mat3d& rotation) {
   const double* s = patch.spread;
   const Mat3d half = rotation * Mat3d{{{s[0], s[3], s[4]}, {s[3], s[1], s[5]}, {s[4], s[5], s[2]}}};
   const auto entry = [&](int i, int j) { return dot(half.row[i], rotation.row[j]); };
-  return {rotation * patch.centre, {entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)}};
+  return {rotation * patch.centre,
+          {entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)},
+          patch.weight};
 }
 
 }  // namespace contact

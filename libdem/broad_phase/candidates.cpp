@@ -2,18 +2,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <tuple>
 
 #include "libdem/broad_phase/cells.h"
+#include "libdem/broad_phase/part_candidates.h"
 
 namespace dem {
 namespace {
 
-struct Record {
-  Key key;
-  std::uint32_t a, b;
-};
-
-using Rows = std::vector<std::vector<Record>>;
+using Rows = std::vector<std::vector<Candidate>>;
 
 double reach_of(const World& world) {
   double largest = 0;
@@ -21,27 +18,21 @@ double reach_of(const World& world) {
   return 2 * largest + world.skin;
 }
 
-bool near_facet(const shapes::Mesh::Facet& f, const Vec3d& x, double reach) {
-  double d2 = 0;
-  for (int k = 0; k < 3; ++k) {
-    const double d = std::max({f.lower[k] - x[k], x[k] - f.upper[k], 0.0});
-    d2 += d * d;
-  }
-  const double height = dot(f.normal, x) - f.offset;
-  return d2 < reach * reach && height < reach && height > -reach;
-}
-
 // The walls and facets near a particle go to the end of its row, in order of wall and facet.
 void wall_candidates(const World& world, std::size_t i, const std::vector<shapes::Mat3d>& frames,
-                     std::vector<Record>& row) {
+                     std::vector<Candidate>& row) {
   const Motion& m = world.particles.motion[i];
   const double reach = m.bounding_radius + world.skin;
   for (std::size_t w = 0; w < world.walls.size(); ++w) {
     const Wall& wall = world.walls[w];
     if (!wall.present) continue;
     const Vec3d d = m.position - wall.position;
-    Record record{
-        {world.particles.id[i], wall_base + w, 0}, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(w)};
+    if (world.particles.kind[i] == shapes::Kind::compound) {
+      part_walls(world, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(w), frames[w], row);
+      continue;
+    }
+    Candidate record{
+        {world.particles.id[i], wall_base + w}, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(w)};
     if (is_half_space(wall.kind)) {
       const Vec3d normal = frames[w].column(wall.kind == shapes::Kind::plane ? 2 : 1);
       if (dot(normal, d) < reach) row.push_back(record);
@@ -82,8 +73,12 @@ void particle_pairs(const World& world, int threads, Rows& rows) {
       std::sort(partners.begin(), partners.end(), [&](std::uint32_t x, std::uint32_t y) { return p.id[x] < p.id[y]; });
       for (const std::uint32_t j : partners) {
         const auto a = static_cast<std::uint32_t>(i);
+        if (p.kind[i] == shapes::Kind::compound || p.kind[j] == shapes::Kind::compound) {
+          part_pairs(world, a, j, rows[r]);
+          continue;
+        }
         const bool swap = p.kind[j] < p.kind[i];
-        rows[r].push_back({{p.id[i], p.id[j], 0}, swap ? j : a, swap ? a : j});
+        rows[r].push_back({{p.id[i], p.id[j]}, swap ? j : a, swap ? a : j});
       }
       wall_candidates(world, i, frames, rows[r]);
     }
@@ -112,7 +107,7 @@ void index_by_particle(World& world) {
   // Sums run in order of the partner's id, walls last.
   const auto partner = [&](std::size_t i, std::uint32_t e) {
     const Key& key = c.key[e >> 1];
-    return std::pair(key.a == world.particles.id[i] ? key.b : key.a, key.part);
+    return std::tuple(key.a == world.particles.id[i] ? key.b : key.a, key.part, key.part_a);
   };
   for (std::size_t i = 0; i < world.particles.count(); ++i)
     std::sort(c.incidence.begin() + c.incidence_start[i], c.incidence.begin() + c.incidence_start[i + 1],
@@ -156,6 +151,7 @@ void fill_bins(World& world) {
     const bool wall = c.key[k].b >= wall_base;
     const shapes::Kind a = p.kind[c.index_a[k]];
     const shapes::Kind b = wall ? world.walls[c.index_b[k]].kind : p.kind[c.index_b[k]];
+    if (a == shapes::Kind::compound || b == shapes::Kind::compound) continue;
     int& bin = bin_of[static_cast<std::size_t>(a) * shapes::kind_count + static_cast<std::size_t>(b)];
     if (bin < 0) {
       bin = static_cast<int>(c.bins.size());
@@ -172,7 +168,9 @@ void fill_bins(World& world) {
   }
   for (Bin& list : c.bins)
     for (auto* v : {&list.a_index, &list.b_index, &list.pair}) v->resize(v->size() + 3, v->back());
-  c.centre.resize(all_spheres ? 0 : c.count());
+  const bool compounds = has_compounds(world);
+  if (compounds) fill_groups(world);
+  c.centre.resize(all_spheres && !compounds ? 0 : c.count());
 }
 
 bool moved(const World& world, double half) {
@@ -211,6 +209,7 @@ bool candidates_outdated(const World& world) {
   if (world.scene.run.rebuild_every > 0 && world.step % world.scene.run.rebuild_every == 0) return true;
   const double half = 0.5 * world.skin;
   if (world.cell.periodic ? moved_in_cell(world, half) : moved(world, half)) return true;
+  if (!c.reference_orientation.empty() && parts_moved(world, half)) return true;
   for (const Wall& w : world.walls) {
     const Quatd turn = w.orientation * shapes::conjugate(w.list_orientation);
     const double half_angle_sine = shapes::norm(Vec3d{turn.x, turn.y, turn.z});
@@ -244,7 +243,7 @@ void rebuild_candidates(World& world, int threads) {
   std::vector<contact::Cache> cache(total);
   std::size_t k = 0, o = 0;
   for (const auto& block : rows)
-    for (const Record& record : block) {
+    for (const Candidate& record : block) {
       if (k == 0 || record.key.a != c.key.back().a) o = old_row[record.key.a];
       c.key.push_back(record.key);
       c.index_a.push_back(record.a);
@@ -262,6 +261,7 @@ void rebuild_candidates(World& world, int threads) {
   index_by_particle(world);
   c.reference.resize(p.count());
   for (std::size_t i = 0; i < p.count(); ++i) c.reference[i] = p.motion[i].position;
+  if (has_compounds(world)) c.reference_orientation = p.orientation;
   for (Wall& wall : world.walls) {
     wall.list_position = wall.position;
     wall.list_orientation = wall.orientation;

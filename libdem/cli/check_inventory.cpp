@@ -28,6 +28,7 @@ void print_bodies(const World& world) {
     std::string kind = shapes::name_of(s.kind);
     if (s.polyhedron)
       kind += fmt::format(", {} vertices, {} faces", s.polyhedron->vertices.size(), s.polyhedron->faces.size());
+    if (s.compound) kind += fmt::format(", {} parts", s.compound->parts.size());
     if (s.polygon) kind += fmt::format(", {} vertices", s.polygon->vertices.size());
     if (s.kind == shapes::Kind::rounded_polyhedron) kind += fmt::format(" rounded by {:.4g} m", s.size.y);
     line(s.name, fmt::format("{} of {} ({})", count, world.scene.materials[group.second].name, kind));

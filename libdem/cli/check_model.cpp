@@ -8,6 +8,7 @@
 
 #include "libcontact/dispatch.h"
 #include "libdem/cli/check_parts.h"
+#include "libdem/parts.h"
 #include "libdem/render/render.h"
 #include "libdem/scene/format_words.h"
 
@@ -50,6 +51,17 @@ void print_space(const World& world) {
                       : fmt::format("{:.6g} {:.6g} {:.6g} m/s^2", s.gravity.x, s.gravity.y, s.gravity.z));
 }
 
+// Kinds that contacts see: a body of parts is its parts.
+std::set<shapes::Kind> kinds_in_contact(const World& world) {
+  std::set<shapes::Kind> kinds;
+  std::set<std::uint32_t> seen;
+  for (std::size_t i = 0; i < world.particles.count(); ++i) {
+    if (!seen.insert(world.particles.shape[i]).second) continue;
+    for (std::uint32_t part = 0; part < part_count(world, i); ++part) kinds.insert(part_kind(world, i, part));
+  }
+  return kinds;
+}
+
 void print_law(const World& world) {
   const LawSpec& law = world.scene.law;
   const bool hertz = law.name == LawName::hertz_mindlin;
@@ -78,11 +90,14 @@ void print_law(const World& world) {
     line("tangential", hertz ? fmt::format("Mindlin, no slip, rescale {}", law.rescale) : "linear spring");
   line("friction", share(rough, "Coulomb", "off: every pair of materials has friction 0"));
   line("damping", share(damped, "dashpot", "off: every pair has restitution 1"));
-  const auto& kinds = world.particles.kind;
+  const std::set<shapes::Kind> kinds = kinds_in_contact(world);
   const bool flat = std::any_of(kinds.begin(), kinds.end(), [](shapes::Kind k) {
     return k == shapes::Kind::polyhedron || k == shapes::Kind::rounded_polyhedron || k == shapes::Kind::polygon;
   });
   if (flat) line("patches", "on: faces on faces resist rolling and twisting by the area that they share");
+  const auto& bodies_of = world.particles.kind;
+  if (std::find(bodies_of.begin(), bodies_of.end(), shapes::Kind::compound) != bodies_of.end())
+    line("parts", "on: contacts of parts that join share one stiffness and one history; inner faces give none");
 }
 
 // What some scenes need and the format may not have. Asked of the format, so that a line goes when a key comes.
@@ -114,7 +129,8 @@ void print_drivers(const World& world) {
 
 // Which method answers which pair of kinds that the scene has.
 void print_detection(const World& world) {
-  std::set<shapes::Kind> bodies(world.particles.kind.begin(), world.particles.kind.end()), all = bodies;
+  const std::set<shapes::Kind> bodies = kinds_in_contact(world);
+  std::set<shapes::Kind> all = bodies;
   for (const Wall& w : world.walls) all.insert(w.kind);
   std::vector<std::pair<std::string, std::vector<std::string>>> methods;
   for (const shapes::Kind a : bodies)

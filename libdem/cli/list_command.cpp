@@ -22,6 +22,7 @@ shapes::Kind kind_of_word(const std::string& word, bool wall) {
   for (std::size_t i = 0; i < shapes::kind_count; ++i)
     if (word == shapes::name_of(static_cast<shapes::Kind>(i))) return static_cast<shapes::Kind>(i);
   if (wall) return shapes::Kind::mesh;
+  if (word == "clump" || word == "union") return shapes::Kind::compound;
   return word == "regular_polygon" ? shapes::Kind::polygon : shapes::Kind::polyhedron;
 }
 
@@ -180,8 +181,10 @@ void print_table(const Json& rows) {
 void print_pairs() {
   const auto wall = [](const Json& kind) { return kind == "plane" || kind == "mesh"; };
   for (const Json& row : pairs_json()) {
-    const char* none = wall(row["a"]) && wall(row["b"]) ? "(walls never meet)" : "refused";
-    fmt::print("{:<12}{:<12}{}\n", cell(row["a"]), cell(row["b"]),
+    const char* none = row["a"] == "compound" || row["b"] == "compound" ? "part by part"
+                       : wall(row["a"]) && wall(row["b"])               ? "(walls never meet)"
+                                                                        : "refused";
+    fmt::print("{:<20}{:<20}{}\n", cell(row["a"]), cell(row["b"]),
                row["methods"].empty() ? none : cell(row["methods"]));
   }
 }

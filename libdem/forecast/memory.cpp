@@ -29,6 +29,15 @@ double geometry_of(const World& world) {
   for (const ShapeEntry& s : world.shapes)
     for (const shapes::Polyhedron* p : {s.polyhedron.get(), s.drawing.get()})
       if (p) sum += static_cast<double>(sizeof *p) + bytes(p->vertices) + bytes(p->faces) + bytes(p->face_vertices);
+  for (const ShapeEntry& s : world.shapes) {
+    if (!s.compound) continue;
+    sum += static_cast<double>(sizeof *s.compound) + bytes(s.compound->parts) + bytes(s.compound->joints);
+    for (const auto& joint : s.compound->joints) sum += bytes(joint.points);
+    for (const auto& part : s.compound->parts)
+      if (part.solid)
+        sum += static_cast<double>(sizeof *part.solid) + bytes(part.solid->vertices) + bytes(part.solid->faces) +
+               bytes(part.solid->face_vertices);
+  }
   for (const Wall& w : world.walls)
     if (w.mesh)
       sum += static_cast<double>(sizeof *w.mesh) + bytes(w.mesh->vertices) + bytes(w.mesh->triangles) +
@@ -47,7 +56,8 @@ Bytes bytes_of(const World& world) {
                bytes(p.force) + bytes(p.torque) + bytes(c.reference) + bytes(c.incidence_start) + bytes(c.active_count);
   sum.contacts = bytes(c.key) + bytes(c.index_a) + bytes(c.index_b) + bytes(c.history) + bytes(c.touching) +
                  bytes(c.slot) + bytes(c.centre) + bytes(c.cache) + bytes(c.incidence) + bytes(c.active) +
-                 bytes(c.wall_records);
+                 bytes(c.wall_records) + bytes(c.groups) + bytes(c.part_query) + bytes(c.share) +
+                 bytes(c.reference_orientation);
   for (const Bin& b : c.bins) sum.contacts += bytes(b.records) + bytes(b.a_index) + bytes(b.b_index) + bytes(b.pair);
   sum.geometry = geometry_of(world);
   return sum;

@@ -47,6 +47,20 @@ void body_hints(const World& world, const Sizes& s, Warnings& hints) {
                                 s.smallest, s.largest));
 }
 
+// The parts of a rigid body usually hang together; where they do not, a place is wrong.
+void part_hints(const World& world, Warnings& hints) {
+  for (const ShapeEntry& s : world.shapes) {
+    if (!s.compound) continue;
+    std::vector<std::uint32_t> reached{0};
+    for (std::size_t k = 0; k < reached.size(); ++k)
+      for (const std::uint32_t next : s.compound->parts[reached[k]].neighbours)
+        if (std::find(reached.begin(), reached.end(), next) == reached.end()) reached.push_back(next);
+    if (reached.size() < s.compound->parts.size())
+      hints.push_back(fmt::format("\"{}\": {} of its {} parts touch none of the others: are their places right?",
+                                  s.name, s.compound->parts.size() - reached.size(), s.compound->parts.size()));
+  }
+}
+
 void material_hints(const World& world, Warnings& hints) {
   for (const MaterialSpec& m : world.scene.materials) {
     if (m.density > 3e4)
@@ -137,6 +151,7 @@ Warnings unit_hints(const World& world) {
     body_hints(world, sizes, hints);
     wall_hints(world, sizes, hints);
   }
+  part_hints(world, hints);
   material_hints(world, hints);
   const double g = norm(world.scene.gravity);
   if (g > 0 && (g < 1 || g > 30))

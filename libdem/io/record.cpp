@@ -5,6 +5,7 @@
 //     walls/                  present position orientation
 //     contacts/               touching records:
 //       a b part              b from 2^63 on: a wall
+//       part_a share          with bodies of parts: the part of a, the share of the contact's stiffness
 //       force centre          on a; of the contact relative to a (left out when all are spheres)
 //       history_force history_normal history_overlap history_twist
 #include <fmt/format.h>
@@ -101,6 +102,16 @@ void put_contacts(hdf5::File& file, const std::string& at, const World& world) {
   file.put(at + "/a", a, 1);
   file.put(at + "/b", b, 1);
   file.put(at + "/part", part, 1);
+  if (!c.share.empty()) {
+    std::vector<std::uint32_t> part_a;
+    std::vector<double> share;
+    for (const std::size_t i : kept) {
+      part_a.push_back(c.key[i].part_a);
+      share.push_back(c.share[i]);
+    }
+    file.put(at + "/part_a", part_a, 1);
+    file.put(at + "/share", share, 1);
+  }
   file.put(at + "/force", rows(kept, [&](std::size_t i) { return c.slot[i].force; }), 3);
   if (!c.centre.empty()) file.put(at + "/centre", rows(kept, [&](std::size_t i) { return c.centre[i]; }), 3);
   file.put(at + "/history_force", rows(kept, [&](std::size_t i) { return c.history[i].force_t; }), 3);
@@ -176,6 +187,11 @@ void get_contacts(const hdf5::File& file, const std::string& at, World& world) {
     c.index_b.push_back(b[i] >= wall_base ? static_cast<std::uint32_t>(b[i] - wall_base) : index(b[i]));
     c.history.push_back({vector_at(force_t, i), overlap[i], vector_at(normal, i), twist[i]});
     c.slot.push_back({vector_at(force, i), {}, {}});
+  }
+  if (file.has(at + "/part_a")) {
+    const auto part_a = file.get<std::uint32_t>(at + "/part_a");
+    for (std::size_t i = 0; i < a.size(); ++i) c.key[i].part_a = part_a[i];
+    c.share = file.get<double>(at + "/share");
   }
   if (file.has(at + "/centre")) {
     const auto centre = file.get<double>(at + "/centre");

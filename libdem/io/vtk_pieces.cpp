@@ -4,6 +4,7 @@
 
 #include "libdem/io/surfaces.h"
 #include "libdem/io/vtp.h"
+#include "libdem/parts.h"
 
 namespace dem::io {
 
@@ -18,7 +19,17 @@ std::array<double, 3> list(const Vec3d& v) { return {v.x, v.y, v.z}; }
 std::int32_t index32(std::size_t i) { return static_cast<std::int32_t>(i); }
 
 // Drawn by its faces: a polyhedron, or a polygon as one cell.
-bool is_faceted(const World& world, std::size_t i) { return world.shapes[world.particles.shape[i]].drawn() != nullptr; }
+bool is_faceted(const PartBody& part) { return part.body.geometry != nullptr; }
+
+// visit(i, part, its place) for every part of every body, in order of id.
+template <class Visit>
+void for_each_part(const World& world, Visit&& visit) {
+  for (const std::uint32_t i : order_by_id(world)) {
+    const Mat3d rotation = rotation_matrix(world.particles.orientation[i]);
+    for (std::uint32_t part = 0; part < part_count(world, i); ++part)
+      visit(i, part, part_body(world, i, part, rotation));
+  }
+}
 
 }  // namespace
 
@@ -29,25 +40,26 @@ bool write_rounds(const std::string& path, const World& world) {
   std::vector<std::int32_t> shape, material, species, connectivity, ends;
   std::vector<float> radius, velocity, spin, quaternion;
   std::vector<double> tensor;
-  for (const std::uint32_t i : order_by_id(world)) {
-    if (is_faceted(world, i)) continue;
+  for_each_part(world, [&](std::uint32_t i, std::uint32_t part, const PartBody& b) {
+    if (is_faceted(b)) return;
     const Motion& m = p.motion[i];
-    const Quatd& q = p.orientation[i];
+    const shapes::Compound* compound = compound_of(world, i);
+    const Quatd q = compound ? p.orientation[i] * compound->parts[part].orientation : p.orientation[i];
     connectivity.push_back(index32(points.size()));
-    points.push_back(m.position);
+    points.push_back(m.position + b.centre);
     ends.push_back(index32(points.size()));
     id.push_back(static_cast<std::int64_t>(p.id[i]));
     shape.push_back(index32(p.shape[i]));
     material.push_back(index32(p.material[i]));
     species.push_back(index32(p.species[i]));
-    radius.push_back(static_cast<float>(m.equivalent_radius));
-    append(velocity, list(m.velocity));
+    radius.push_back(static_cast<float>(compound ? b.radius : m.equivalent_radius));
+    append(velocity, list(m.velocity + cross(m.spin, b.centre)));
     append(spin, list(m.spin));
     append(quaternion, std::array<double, 4>{q.w, q.x, q.y, q.z});
-    const Mat3d r = rotation_matrix(q);
-    const Mat3d t = r * Mat3d::diagonal(p.size[i]) * transposed(r);
+    const Mat3d& r = b.body.rotation;
+    const Mat3d t = r * Mat3d::diagonal(b.body.size) * transposed(r);
     for (const Vec3d& row : t.row) append(tensor, list(row));
-  }
+  });
   if (points.empty()) return false;
   Vtp file;
   file.set_points(points, true);
@@ -71,13 +83,15 @@ bool write_polyhedra(const std::string& path, const World& world) {
   std::vector<std::int64_t> particle;
   std::vector<std::int32_t> shape, material, species, connectivity, ends;
   std::vector<float> speed;
-  for (const std::uint32_t i : order_by_id(world)) {
-    if (!is_faceted(world, i)) continue;
-    const ShapeEntry& body = world.shapes[p.shape[i]];
-    const Mat3d r = rotation_matrix(p.orientation[i]);
+  for_each_part(world, [&](std::uint32_t i, std::uint32_t, const PartBody& b) {
+    if (!is_faceted(b)) return;
+    const ShapeEntry& entry = world.shapes[p.shape[i]];
+    const auto* solid = entry.polygon    ? nullptr
+                        : entry.compound ? static_cast<const shapes::Polyhedron*>(b.body.geometry)
+                                         : entry.drawn();
     const std::size_t base = points.size();
-    for (const Vec3d& v : body.polygon ? body.polygon->vertices : body.drawn()->vertices)
-      points.push_back(p.motion[i].position + r * (p.size[i].x * v));
+    for (const Vec3d& v : entry.polygon ? entry.polygon->vertices : solid->vertices)
+      points.push_back(p.motion[i].position + b.centre + b.body.rotation * (b.body.size.x * v));
     const auto end_cell = [&] {
       ends.push_back(index32(connectivity.size()));
       particle.push_back(static_cast<std::int64_t>(p.id[i]));
@@ -86,17 +100,16 @@ bool write_polyhedra(const std::string& path, const World& world) {
       species.push_back(index32(p.species[i]));
       speed.push_back(static_cast<float>(norm(p.motion[i].velocity)));
     };
-    if (body.polygon) {
+    if (solid == nullptr) {
       for (std::size_t k = base; k < points.size(); ++k) connectivity.push_back(index32(k));
-      end_cell();
-      continue;
+      return end_cell();
     }
-    for (const auto& face : body.drawn()->faces) {
+    for (const auto& face : solid->faces) {
       for (std::uint32_t k = 0; k < face.count; ++k)
-        connectivity.push_back(index32(base + body.drawn()->face_vertices[face.first + k]));
+        connectivity.push_back(index32(base + solid->face_vertices[face.first + k]));
       end_cell();
     }
-  }
+  });
   if (points.empty()) return false;
   Vtp file;
   file.set_points(points, false);

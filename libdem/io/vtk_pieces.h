@@ -13,11 +13,12 @@ struct VtkPiece {
   bool (*write)(const std::string& path, const World& world);  // false: nothing to write
 };
 
-// Spheres and ellipsoids as points: id, shape, material, radius (of the sphere of equal volume), velocity, spin,
-// quaternion (w, x, y, z), tensor R diag(a, b, c) Rᵀ whose eigenvectors and eigenvalues are axes and semi-axes.
+// Spheres and ellipsoids, as bodies and as parts of bodies, as points: id, shape, material, radius (of the sphere of
+// equal volume), velocity, spin, quaternion (w, x, y, z), tensor R diag(a, b, c) Rᵀ whose eigenvectors and eigenvalues
+// are axes and semi-axes.
 bool write_rounds(const std::string& path, const World& world);
-// Polyhedra by their faces (rounded ones as polyhedra inscribed in them), polygons as one cell each: per cell particle
-// (its id), shape, material, speed.
+// Polyhedra, as bodies and as parts, by their faces (rounded ones as polyhedra inscribed in them), polygons as one cell
+// each: per cell particle (its id), shape, material, speed.
 bool write_polyhedra(const std::string& path, const World& world);
 // Touching contacts as lines from centre to centre, or from the centre to the contact point at a wall: a, b (a wall:
 // −1 − its index), force (on a), force_magnitude, tangential, normal, overlap, point.

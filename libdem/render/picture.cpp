@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "libdem/io/files.h"
+#include "libdem/parts.h"
 #include "libdem/render/render.h"
 
 namespace dem::render {
@@ -71,7 +72,15 @@ Picture picture_of(const World& world, const View& view) {
                          : by == "material" ? p.material[i]
                          : by == "species"  ? p.species[i]
                                             : load[i];
-    picture.bodies.push_back({shape.kind, shape.drawn(), p.size[i], p.motion[i].position, p.orientation[i], value});
+    if (shape.compound == nullptr) {
+      picture.bodies.push_back({shape.kind, shape.drawn(), p.size[i], p.motion[i].position, p.orientation[i], value});
+      continue;
+    }
+    const Mat3d rotation = rotation_matrix(p.orientation[i]);
+    for (const auto& part : shape.compound->parts)
+      picture.bodies.push_back({kind_of(part.kind), part.solid.get(), part.size * p.size[i].x,
+                                p.motion[i].position + rotation * (part.centre * p.size[i].x),
+                                p.orientation[i] * part.orientation, value});
   }
   return picture;
 }

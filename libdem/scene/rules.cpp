@@ -73,6 +73,12 @@ class Rules : RuleContext {
 
   void shape(std::size_t i) {
     const ShapeSpec& s = scene.shapes[i];
+    if (s.kind == "clump" && s.spheres.empty() == s.spheres_file.empty())
+      wrong("shape", i, nullptr, fmt::format("\"{}\" needs exactly one of spheres and spheres_file", s.name));
+    for (const auto& ball : s.spheres)
+      if (!(ball[3] > 0))
+        return wrong("shape", i, "spheres", fmt::format("allowed radius > 0 in [x, y, z, radius], found {}", ball[3]));
+    for (const PartSpec& part : s.parts) this->part(i, part);
     if (s.kind != "polyhedron") return;
     if ((s.vertices.empty() ? 0 : 1) + (s.half_spaces.empty() ? 0 : 1) + (s.file.empty() ? 0 : 1) != 1)
       wrong("shape", i, nullptr, fmt::format("\"{}\" needs exactly one of vertices, half_spaces and file", s.name));
@@ -83,6 +89,21 @@ class Rules : RuleContext {
         return wrong("shape", i, "half_spaces", "a normal must not be the zero vector");
     if (is_shipped(shipped_name(s.file)) && s.diameter == 0)
       wrong("shape", i, "file", "a shipped shape has no size of its own: give shape.diameter (m)");
+  }
+
+  // Parts are simple solids: a body of parts is none, and what lives in the plane neither.
+  void part(std::size_t i, const PartSpec& part) {
+    for (const ShapeSpec& s : scene.shapes) {
+      if (s.name != part.shape) continue;
+      for (const char* kind : {"clump", "union", "disc", "ellipse", "polygon", "regular_polygon"})
+        if (s.kind == kind)
+          return wrong(
+              "shape", i, "parts",
+              fmt::format("\"{}\" is of kind {}; allowed: sphere, ellipsoid and solids with flat faces", s.name, kind));
+      if (s.rounding > 0)
+        return wrong("shape", i, "parts",
+                     fmt::format("\"{}\" has shape.rounding; allowed: solids with sharp edges", s.name));
+    }
   }
 
   void pairs() {

@@ -75,12 +75,18 @@ struct LawSpec {
   bool rescale = true;  // hertz_mindlin: shorten the tangential spring when the contact radius shrinks
 };
 
+struct PartSpec {
+  std::string shape;  // name of another one
+  Vec3d position{};   // of its origin, m
+  Quatd orientation{};
+};
+
 // sphere: radius. ellipsoid: semi_axes. box: extents. prism: sides, circumradius, height. tetrahedron … icosahedron:
-// circumradius. In the plane: disc: radius; ellipse: semi_axis_a, semi_axis_b; polygon: vertices in order;
-// regular_polygon: sides, circumradius. polyhedron: vertices, or half_spaces, or file (OFF, OBJ, STL); `diameter` > 0
-// rescales a polyhedron so that its volume-equivalent sphere has this diameter. `rounding` > 0 rounds edges and
-// corners of all flat-faced kinds of space: the body is every point within this distance of the polyhedron, `diameter`
-// that of the whole.
+// circumradius. clump: spheres, or spheres_file. union: parts. In the plane: disc: radius; ellipse: semi_axis_a,
+// semi_axis_b; polygon: vertices in order; regular_polygon: sides, circumradius. polyhedron: vertices, or half_spaces,
+// or file (OFF, OBJ, STL); `diameter` > 0 rescales a polyhedron or clump so that its volume-equivalent sphere has this
+// diameter. `rounding` > 0 rounds edges and corners of all flat-faced kinds of space: the body is every point within
+// this distance of the polyhedron, `diameter` that of the whole.
 struct ShapeSpec {
   std::string name, kind;
   double radius = 0;
@@ -93,6 +99,9 @@ struct ShapeSpec {
   std::string file;                                // resolved path
   double diameter = 0;                             // m
   double rounding = 0;                             // m, 0: sharp
+  std::vector<std::array<double, 4>> spheres;      // clump: x, y, z, radius, m
+  std::string spheres_file;                        // or a CSV file of them, resolved path
+  std::vector<PartSpec> parts;                     // union
   Where where;
 };
 

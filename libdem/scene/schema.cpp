@@ -158,13 +158,13 @@ std::vector<Key> shape_keys() {
   std::vector<std::string> kinds{"sphere",  "ellipsoid",       "disc", "ellipse",
                                  "polygon", "regular_polygon", "box",  "prism"};
   kinds.insert(kinds.end(), platonic.begin(), platonic.end());
-  kinds.push_back("polyhedron");
+  kinds.insert(kinds.end(), {"polyhedron", "clump", "union"});
   std::vector<std::string> round{"prism", "regular_polygon"};
   round.insert(round.end(), platonic.begin(), platonic.end());
   std::vector<std::string> flat{"box", "prism"};
   flat.insert(flat.end(), platonic.begin(), platonic.end());
   flat.push_back("polyhedron");
-  return {
+  std::vector<Key> keys{
       value<&ShapeSpec::name>("name", "", "Name by which bodies refer to it.").own_name(),
       value<&ShapeSpec::kind>("kind", "", "What it is.").one_of(kinds).must(),
       value<&ShapeSpec::radius>("radius", "m", "Radius.").above(0).when("kind", {"sphere", "disc"}).must(),
@@ -212,13 +212,15 @@ std::vector<Key> shape_keys() {
       value<&ShapeSpec::diameter>(
           "diameter", "m", "Rescales the body to the volume of a sphere of this diameter; needed by shipped shapes.")
           .above(0)
-          .when("kind", {"polyhedron"}),
+          .when("kind", {"polyhedron", "clump"}),
       value<&ShapeSpec::rounding>("rounding", "m",
                                   "Rounds edges and corners: the body is all that lies within this distance of the "
                                   "polyhedron (shape.diameter is that of the whole).")
           .above(0)
           .when("kind", flat),
   };
+  for (Key& key : part_keys()) keys.push_back(std::move(key));
+  return keys;
 }
 
 std::vector<Key> body_keys() {

@@ -1,6 +1,7 @@
 // Scenes written in code: the shared pieces of the tests of the loop.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -50,6 +51,21 @@ inline ShapeSpec points(const std::string& name, const std::vector<Vec3d>& verti
   s.name = name;
   s.kind = "polyhedron";
   s.vertices = vertices;
+  return s;
+}
+
+inline ShapeSpec clump(const std::string& name, const std::vector<std::array<double, 4>>& spheres) {
+  ShapeSpec s;
+  s.name = name;
+  s.kind = "clump";
+  s.spheres = spheres;
+  return s;
+}
+inline ShapeSpec union_of(const std::string& name, const std::vector<PartSpec>& parts) {
+  ShapeSpec s;
+  s.name = name;
+  s.kind = "union";
+  s.parts = parts;
   return s;
 }
 
@@ -214,6 +230,28 @@ inline Scene every_shape_in_a_cell(std::uint64_t count) {
   third.target_stress = {8e4, 0, 6e4};
   third.rate_limit = 24;
   s.periodic.deform = {first, second, third};
+  return s;
+}
+
+// The same tray with bodies of parts in it: a dumbbell, a clump of four unequal balls, an L and a plus of boxes, a
+// mushroom of a half egg on a box; among balls and grains.
+inline Scene bodies_of_parts(std::uint64_t count) {
+  Scene s = every_shape(count);
+  s.shapes.push_back(box("bar", {0.012, 0.004, 0.004}));
+  s.shapes.push_back(box("stub", {0.004, 0.008, 0.004}));
+  s.shapes.push_back(ellipsoid("cap", {0.006, 0.005, 0.003}));
+  s.shapes.push_back(clump("dumbbell", {{-0.003, 0, 0, 0.003}, {0.003, 0, 0, 0.003}}));
+  s.shapes.push_back(clump(
+      "clump", {{0, 0, 0, 0.004}, {0.003, 0.002, 0, 0.003}, {-0.002, 0.003, 0.001, 0.003}, {0, 0, 0.004, 0.0025}}));
+  s.shapes.push_back(union_of("ell", {{"bar", {0, 0, 0}, {}}, {"stub", {-0.004, 0.006, 0}, {}}}));
+  s.shapes.push_back(
+      union_of("plus", {{"bar", {0, 0, 0}, {}}, {"bar", {0, 0, 0}, turn({0, 0, 1}, 1.5707963267948966)}}));
+  s.shapes.push_back(
+      union_of("mushroom", {{"stub", {0, 0, 0}, turn({1, 0, 0}, 1.5707963267948966)}, {"cap", {0, 0, 0.004}, {}}}));
+  s.fills[0].items = {{"ball", "soft", 1, 0.7, 1.0},     {"grain", "soft", 1, 0.8, 1.0},
+                      {"dumbbell", "hard", 2, 0.8, 1.0}, {"clump", "soft", 2, 0.8, 1.0},
+                      {"ell", "hard", 2, 0.7, 0.9},      {"plus", "soft", 2, 0.8, 1.0},
+                      {"mushroom", "hard", 2, 0.7, 0.9}};
   return s;
 }
 
