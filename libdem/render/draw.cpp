@@ -215,21 +215,28 @@ Image draw(const Picture& picture, const View& view) {
   io::Box box = *view.box;
   to_unit_size(unit, box);
   const Range range = view.range ? *view.range : range_of(unit.bodies);
-  const Camera camera = make_camera(box, unit.up, view);
-  const Painter painter(unit, camera, view, range);
-
   Image image{view.width, view.height, {}};
   const auto width = static_cast<std::size_t>(view.width);
-  image.rgb.resize(3 * width * static_cast<std::size_t>(view.height));
+  image.rgb.assign(3 * width * static_cast<std::size_t>(view.height), 255);
+  const bool categories = !picture.names.empty();
+  int margin = 0;  // of the legend, to the right of the scene; a narrow picture keeps its legend inside
+  if (view.legend)
+    margin =
+        categories ? categories_width(image, picture.label, picture.names) : bar_width(image, picture.label, range);
+  View scene = view;
+  if (margin <= view.width * 2 / 5) scene.width -= margin;
+  const Camera camera = make_camera(box, unit.up, scene);
+  const Painter painter(unit, camera, scene, range);
+
 #pragma omp parallel for schedule(dynamic, 8)
-  for (int j = 0; j < view.height; ++j)
-    for (int i = 0; i < view.width; ++i) {
+  for (int j = 0; j < scene.height; ++j)
+    for (int i = 0; i < scene.width; ++i) {
       const Color c = painter.pixel(i, j);
       std::uint8_t* out = &image.rgb[3 * (static_cast<std::size_t>(j) * width + static_cast<std::size_t>(i))];
       for (int k = 0; k < 3; ++k) out[k] = to_srgb(c[k]);
     }
   if (!view.legend) return image;
-  if (!picture.names.empty()) {
+  if (categories) {
     draw_categories(image, picture.label, picture.names);
   } else {
     const bool clipped =

@@ -74,10 +74,25 @@ const Glyph* glyph_of(char letter) {
   return g == std::end(font) ? nullptr : g;  // an unknown one leaves a space
 }
 
+// Size of a letter's dot, pixels.
+int dot_of(const Image& image) { return std::max(1, std::min(image.width, image.height) / 400); }
+
+int letters(std::size_t count, int dot) { return static_cast<int>(count) * 6 * dot; }
+
+struct Marks {
+  std::string top, middle, bottom;
+};
+Marks marks_of(const Range& range, bool clipped) {
+  return {fmt::format("{}{:.3g}", clipped ? ">" : "", range.upper),
+          fmt::format("{:.3g}", 0.5 * (range.lower + range.upper)), fmt::format("{:.3g}", range.lower)};
+}
+
+constexpr int edge = 6;  // dots on both sides of a legend
+
 class Canvas {
  public:
-  explicit Canvas(Image& image) : image_(image), dot_(std::max(1, std::min(image.width, image.height) / 400)) {}
-  int dot() const { return dot_; }  // size of a letter's dot, pixels
+  explicit Canvas(Image& image) : image_(image), dot_(dot_of(image)) {}
+  int dot() const { return dot_; }
   int letter() const { return 6 * dot_; }
 
   void fill(int x, int y, int width, int height, const Color& c) {
@@ -99,7 +114,6 @@ class Canvas {
       x += letter();
     }
   }
-  int text_width(std::string_view words) const { return static_cast<int>(words.size()) * letter(); }
 
  private:
   static constexpr Color ink{0.05f, 0.05f, 0.06f};
@@ -109,15 +123,25 @@ class Canvas {
 
 }  // namespace
 
+int bar_width(const Image& image, const std::string& label, const Range& range) {
+  const Marks marks = marks_of(range, true);
+  const std::size_t longest = std::max({marks.top.size(), marks.middle.size(), marks.bottom.size()});
+  const int d = dot_of(image);
+  return std::max(17 * d + letters(longest, d), letters(label.size(), d)) + 2 * edge * d;
+}
+
+int categories_width(const Image& image, const std::string& label, const std::vector<std::string>& names) {
+  const int d = dot_of(image);
+  int block = letters(label.size(), d);
+  for (const std::string& name : names) block = std::max(block, 12 * d + letters(name.size(), d));
+  return block + 2 * edge * d;
+}
+
 void draw_bar(Image& image, const std::string& label, const Range& range, bool clipped) {
   Canvas canvas(image);
   const int d = canvas.dot(), width = 12 * d, height = image.height * 2 / 5;
-  const std::string top = fmt::format("{}{:.3g}", clipped ? ">" : "", range.upper);
-  const std::string middle = fmt::format("{:.3g}", 0.5 * (range.lower + range.upper));
-  const std::string bottom = fmt::format("{:.3g}", range.lower);
-  const std::size_t longest = std::max({top.size(), middle.size(), bottom.size()});
-  const int block = std::max(width + 5 * d + static_cast<int>(longest) * canvas.letter(), canvas.text_width(label));
-  const int x = image.width - block - 6 * d, y = (image.height - height) / 2;
+  const auto [top, middle, bottom] = marks_of(range, clipped);
+  const int x = image.width - bar_width(image, label, range) + edge * d, y = (image.height - height) / 2;
   canvas.text(x, y - 16 * d, label);
   for (int j = 0; j < height; ++j)
     canvas.fill(x, y + j, width, 1, sequential(1 - (static_cast<double>(j) + 0.5) / height));
@@ -129,10 +153,7 @@ void draw_categories(Image& image, const std::string& label, const std::vector<s
   Canvas canvas(image);
   const int d = canvas.dot(), line = 14 * d, most = (image.height - 40 * d) / line;
   const auto count = std::min(static_cast<int>(names.size()), std::max(most, 0));
-  int block = canvas.text_width(label);
-  for (int k = 0; k < count; ++k)
-    block = std::max(block, 12 * d + canvas.text_width(names[static_cast<std::size_t>(k)]));
-  const int x = image.width - block - 6 * d;
+  const int x = image.width - categories_width(image, label, names) + edge * d;
   int y = (image.height - (count + 1) * line) / 2;
   canvas.text(x, y, label);
   for (int k = 0; k < count; ++k) {

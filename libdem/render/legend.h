@@ -8,6 +8,11 @@
 
 namespace dem::render {
 
+// Width of the margin that a legend takes in a picture of this size, pixels. It depends on `label` and the range or the
+// names alone, so the frames of a movie share it.
+int bar_width(const Image& image, const std::string& label, const Range& range);
+int categories_width(const Image& image, const std::string& label, const std::vector<std::string>& names);
+
 // Bar from range.lower to range.upper; `clipped` when larger values exist and have the last colour.
 void draw_bar(Image& image, const std::string& label, const Range& range, bool clipped);
 // A square and a name for each category.

@@ -34,6 +34,22 @@ std::vector<std::string> names_of(const Entries& entries) {
   return names;
 }
 
+// A line is seen edge-on from the front of a plane scene: its solid shows instead, as a strip along it, behind the
+// bodies and facing the eye.
+void to_strip(io::WallSurface& s, const io::Box& box, const Vec3d& look) {
+  const double depth = 0.02 * box.radius(), z = look.z < 0 ? box.lower.z : box.upper.z;
+  const Vec3d along{s.normal.y, -s.normal.x, 0};
+  const auto before = [&](const Vec3d& a, const Vec3d& b) { return dot(along, a) < dot(along, b); };
+  const auto [first, last] = std::minmax_element(s.vertices.begin(), s.vertices.end(), before);
+  Vec3d a = *first - along * depth, b = *last + along * depth;  // corners of a box close
+  a.z = b.z = z;
+  s.vertices = {a, b, b - s.normal * depth, a - s.normal * depth};
+  s.corners = {0, 1, 2, 3};
+  s.ends = {4};
+  s.outline = {1, 1, 1, 1};
+  s.normal = {0, 0, look.z < 0 ? 1.0 : -1.0};
+}
+
 }  // namespace
 
 const std::vector<std::string>& color_names() {
@@ -51,7 +67,11 @@ Picture picture_of(const World& world, const View& view) {
   const double g = norm(world.scene.gravity);
   if (world.scene.dimension == 2) picture.up = {0, 1, 0};
   if (g > 0) picture.up = world.scene.gravity * (-1 / g);
-  picture.walls = io::wall_surfaces(world, view.box ? *view.box : picture_box(world));
+  const io::Box box = view.box ? *view.box : picture_box(world);
+  picture.walls = io::wall_surfaces(world, box);
+  if (view.orthographic && std::abs(view.orthographic->z) > 0.9 * norm(*view.orthographic))
+    for (io::WallSurface& s : picture.walls)
+      if (world.walls[s.wall].kind == shapes::Kind::line) to_strip(s, box, *view.orthographic);
   if (by == "shape") picture.names = names_of(world.shapes);
   if (by == "material") picture.names = names_of(world.scene.materials);
   if (by == "species") {

@@ -49,14 +49,15 @@ struct Picture {
 
 // Names that View::color_by knows.
 const std::vector<std::string>& color_names();
-// Bodies with their values, walls, up = against gravity. RunError for an unknown color_by.
+// Bodies with their values, walls, up = against gravity. Seen along z, lines are strips of their solid, behind the
+// bodies. RunError for an unknown color_by.
 Picture picture_of(const World& world, const View& view);
 // Particles and, unless they would shrink the particles to nothing, mesh walls.
 io::Box picture_box(const World& world);
 
 bool available();  // built with Embree
 Image draw(const World& world, const View& view);
-// view.box is needed here.
+// view.box is needed here. A legend has a margin of its own to the right of the scene, unless the picture is narrow.
 Image draw(const Picture& picture, const View& view);
 void write_png(const std::string& path, const Image& image);
 

@@ -8,47 +8,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
-#include "libdem/validate/validation.h"
+#include "libdem/validate/regular_array.h"
 
 namespace dem::validate {
 
 namespace {
 
-struct Box {
-  Vec3d lower, upper;
-};
-
-// Of the centres, at the start: the middle half along each axis.
-std::vector<bool> in_the_middle(const World& w) {
-  const double most = std::numeric_limits<double>::max();
-  Box all{{most, most, most}, {-most, -most, -most}};
-  for (const contact::Motion& m : w.particles.motion)
-    for (int k = 0; k < 3; ++k) {
-      all.lower[k] = std::min(all.lower[k], m.position[k]);
-      all.upper[k] = std::max(all.upper[k], m.position[k]);
-    }
-  const Vec3d centre = (all.lower + all.upper) * 0.5, quarter = (all.upper - all.lower) * 0.25;
-  std::vector<bool> middle(w.particles.count());
-  for (std::size_t i = 0; i < middle.size(); ++i) {
-    bool inside = true;
-    for (int k = 0; k < 3; ++k)
-      inside = inside && std::abs(w.particles.motion[i].position[k] - centre[k]) < 1.05 * quarter[k];
-    middle[w.particles.id[i]] = inside;
-  }
-  return middle;
-}
-
-// sigma_zz / sigma_xx from the contacts of some bodies: stress is the sum of force times arm over a volume.
+// sigma_zz / sigma_xx from the contacts of some bodies.
 double ratio_inside(const World& w, const std::vector<bool>& bodies) {
-  Vec3d sum{};
-  for (const ContactReport& c : touching_contacts(w)) {
-    const int sides = (bodies[c.a] ? 1 : 0) + (!c.wall && bodies[c.b] ? 1 : 0);
-    for (int k = 0; k < 3; ++k) sum[k] += sides * c.force[k] * c.normal[k];
-  }
-  return 2 * sum.z / (sum.x + sum.y);
+  const Vec3d stress = stress_of(w, bodies);
+  return 2 * stress.z / (stress.x + stress.y);
 }
 
 // The same from the walls.

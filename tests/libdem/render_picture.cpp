@@ -7,6 +7,7 @@
 
 #include "libdem/render/render.h"
 #include "tests/libdem/io_world.h"
+#include "tests/libdem/scenes_in_code.h"
 
 namespace {
 
@@ -101,6 +102,77 @@ TEST(RenderPicture, ChangeOfUnitsGivesTheSamePicture) {
   const std::uint32_t triangles[] = {0, 1, 2, 0, 2, 3};
   world.walls[1].mesh = std::make_shared<const shapes::Mesh>(shapes::mesh_from_triangles(corners, triangles));
   EXPECT_EQ(draw(world, view).rgb, image.rgb);
+}
+
+// Two discs of 1 m between lines at x = -1 and x = 1, floor at y = 0.
+dem::World plane_world() {
+  dem::Scene s;
+  s.dimension = 2;
+  s.thickness = 1;
+  s.law.name = dem::LawName::spring_dashpot;
+  s.run.steps = 1;
+  s.materials = {dem::scenes::material("soft", 1e6, 1000, 0.5, 0)};
+  s.materials[0].stiffness = 1e6;
+  s.shapes = {dem::scenes::sphere("disc", 0.5)};
+  s.shapes[0].kind = "disc";
+  const dem::Vec3d points[] = {{-1, 0, 0}, {1, 0, 0}, {0, 0, 0}}, normals[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    s.walls.push_back(dem::scenes::plane("wall", "soft", points[k], normals[k]));
+    s.walls.back().kind = "line";
+    s.walls.back().name += std::to_string(k);
+  }
+  for (const double x : {-0.5, 0.5}) s.bodies.push_back(dem::scenes::body("disc", "soft", {x, 0.5, 0}));
+  return build_world(s);
+}
+
+std::size_t ink_in_columns(const Image& image, int first, int last) {
+  std::size_t n = 0;
+  for (int j = 0; j < image.height; ++j)
+    for (int i = first; i < last; ++i)
+      n += pixel(image, static_cast<std::size_t>(j) * static_cast<std::size_t>(image.width) +
+                            static_cast<std::size_t>(i)) != white
+               ? 1u
+               : 0u;
+  return n;
+}
+
+TEST(RenderPicture, LinesOfThePlaneShowAsStrips) {
+  NEEDS_EMBREE;
+  dem::World world = plane_world();
+  View view;
+  view.width = view.height = 300;
+  view.legend = false;
+  const Image with = draw(world, view);
+  world.walls.clear();
+  const Image without = draw(world, view);
+  // Strips of 2 % of the box's radius: about 3 pixels wide, 75 (sides) and 300 (floor) long; the discs are the same.
+  const double strip = 0.02 * std::sqrt(1 + 0.25 + 0.25) * 300 / (2 * 1.06);
+  const std::size_t more = ink_in_columns(with, 0, 300) - ink_in_columns(without, 0, 300);
+  EXPECT_GT(static_cast<double>(more), 0.8 * strip * (2 * 140 + 280));
+  EXPECT_LT(static_cast<double>(more), 1.5 * strip * (2 * 300 + 300));
+  EXPECT_NE(pixel(with, 150 * 300 + 6), white);  // the west wall, half-way up
+  EXPECT_EQ(pixel(without, 150 * 300 + 6), white);
+}
+
+TEST(RenderPicture, TheLegendStandsBesideTheScene) {
+  NEEDS_EMBREE;
+  const dem::World world = plane_world();
+  View view;
+  view.width = 600;
+  view.height = 400;
+  view.color_by = "id";
+  const Image image = draw(world, view);
+  // Bars and numbers of "0.5" and ">1" take less than 120 pixels; to their left is a gap, then the scene.
+  int first = image.width;
+  while (first > 0 && ink_in_columns(image, first - 1, first) > 0) --first;
+  EXPECT_EQ(first, image.width);  // the legend keeps an edge
+  int gap = image.width - 1;
+  while (gap > 0 && ink_in_columns(image, gap - 1, gap) == 0) --gap;  // edge
+  while (gap > 0 && ink_in_columns(image, gap - 9, gap) > 0) --gap;   // legend, up to 9 free columns
+  EXPECT_GT(gap, 450);
+  EXPECT_GT(ink_in_columns(image, 0, gap), 20000u);  // the scene
+  view.legend = false;
+  EXPECT_GT(ink_in_columns(draw(world, view), gap, image.width), 5000u);  // has all the width without it
 }
 
 TEST(RenderPicture, PngFile) {

@@ -39,6 +39,7 @@ TEST(ShippedScenes, Begin) {
 }
 
 TEST(ShippedScenes, VibratedBedPasses) { expect_passes("vibrated_bed"); }
+TEST(ShippedScenes, TheArrayOfDiscsPasses) { expect_passes("biaxial_2d"); }
 
 // Before the top moves the servos keep their pressure, and the stress is near isotropic.
 TEST(ShippedScenes, TheArrayOfSpheresStandsUnderItsPressure) {
