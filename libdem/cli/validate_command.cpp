@@ -64,10 +64,12 @@ std::size_t width_of(const std::string& text) {
 
 using Cells = std::vector<std::string>;
 
+const char* verdict(const Row& row, const char* no) { return !row.judged ? "-" : row.pass ? "yes" : no; }
+
 std::vector<Cells> cells_of(const Validation& v, const Result& r) {
   std::vector<Cells> out;
   for (const Row& row : r.rows)
-    out.push_back({out.empty() ? v.name : "", row.criterion, row.expected, row.got, row.pass ? "yes" : "NO",
+    out.push_back({out.empty() ? v.name : "", row.criterion, row.expected, row.got, verdict(row, "NO"),
                    out.empty() ? duration_text(r.seconds) : ""});
   return out;
 }
@@ -103,7 +105,7 @@ std::string csv(const std::vector<const Validation*>& list, const std::vector<Re
   for (std::size_t i = 0; i < results.size(); ++i)
     for (const Row& row : results[i].rows)
       out += fmt::format("{},{},{},{},{},{:.2f}\n", list[i]->name, csv_field(row.criterion), csv_field(row.expected),
-                         csv_field(row.got), row.pass ? "yes" : "no", results[i].seconds);
+                         csv_field(row.got), verdict(row, "no"), results[i].seconds);
   return out;
 }
 

@@ -2,11 +2,18 @@
 
 namespace dem::validate {
 
-extern const Validation two_bodies, box_stack, vibrated_bed, triaxial_fcc, biaxial_2d, silo, hopper_slot;
+extern const Validation two_bodies, box_stack, vibrated_bed, triaxial_fcc, biaxial_2d, silo, hopper_slot, drum;
 
 const std::vector<const Validation*>& validations() {
   static const std::vector<const Validation*> list{
-      &two_bodies, &box_stack, &vibrated_bed, &triaxial_fcc, &biaxial_2d, &silo, &hopper_slot,
+      &two_bodies,    //
+      &box_stack,     //
+      &vibrated_bed,  //
+      &triaxial_fcc,  //
+      &biaxial_2d,    //
+      &silo,          //
+      &hopper_slot,   //
+      &drum,          //
   };
   return list;
 }

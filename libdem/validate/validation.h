@@ -28,6 +28,7 @@ struct Row {  // one criterion as judged
   std::string criterion;
   std::string expected, got;  // as printed, with units
   bool pass = false;
+  bool judged = true;  // false: told for information, decides nothing
 };
 
 // Rows from numbers. `unit` stands behind the numbers, "" for a ratio or a count.
@@ -38,6 +39,8 @@ Row within(const std::string& criterion, double got, double expected, double rel
 Row near(const std::string& criterion, double got, double expected, double absolute, const std::string& unit = "");
 Row at_most(const std::string& criterion, double got, double upper, const std::string& unit = "");
 Row at_least(const std::string& criterion, double got, double lower, const std::string& unit = "");
+// Told, not judged: there is nothing that it must be.
+Row for_information(const std::string& what, double got, const std::string& unit = "");
 Row is_true(const std::string& criterion, bool pass, const std::string& expected, const std::string& got);
 
 // The wall of this name; RunError when the scene has none.
@@ -75,7 +78,7 @@ struct Validation {
 struct Result {
   std::vector<Row> rows;  // a run that fails is a row that does not pass
   double seconds = 0;     // wall time
-  bool pass() const;      // there are rows and every one passes
+  bool pass() const;      // something is judged, and all of it passes
 };
 // Carries a validation out; `folder` as for Runs. Throws nothing but what comes of a full memory or disk.
 Result carry_out(const Validation& validation, const std::string& folder, int threads);

@@ -75,6 +75,14 @@ TEST(Validate, WhatFailsIsARowThatDoesNotPass) {
   EXPECT_EQ(failed.rows.at(0).got, "step 3: broken");
 }
 
+TEST(Validate, WhatIsToldForInformationDecidesNothing) {
+  const Row told = for_information("angle", 37.6, "deg"), good = at_least("x", 1, 0), bad = at_least("x", -1, 0);
+  EXPECT_EQ(told.got, "37.6 deg");
+  EXPECT_TRUE((Result{{told, good}}.pass()));
+  EXPECT_FALSE((Result{{told, bad}}.pass()));
+  EXPECT_FALSE(Result{{told}}.pass());
+}
+
 TEST(Validate, RowsJudgeTheirBands) {
   EXPECT_TRUE(in_band("", 2, 1, 2).pass);
   EXPECT_FALSE(in_band("", 2.1, 1, 2).pass);
