@@ -211,14 +211,15 @@ void finish_cell_step(World& world, int threads, double dt) {
 }
 
 bool is_whole(const World& world) {
-  for (int k = 0; k < world.scene.dimension; ++k)
-    if (!world.scene.periodic.along(k)) return false;
-  return true;
+  const Scene& s = world.scene;
+  for (int k = 0; k < s.dimension; ++k)
+    if (!s.periodic.along(k)) return false;
+  return s.dimension == 3 || s.disc_model == DiscModel::prism;
 }
 
 double cell_volume(const World& world) {
   const Vec3d& length = world.cell.lattice.length;
-  return length.x * length.y * length.z;
+  return length.x * length.y * (world.scene.dimension == 2 ? world.scene.thickness : length.z);
 }
 
 Mat3d cell_stress(const World& world) {
@@ -228,11 +229,14 @@ Mat3d cell_stress(const World& world) {
 }
 
 double solid_fraction(const World& world) {
+  const bool planar = world.scene.dimension == 2;
+  const Vec3d& length = world.cell.lattice.length;
   double sum = 0;
   for (const std::uint32_t i : order_by_id(world)) {
     const double r = world.particles.motion[i].equivalent_radius;
-    sum += r * r * r;
+    sum += planar ? r * r : r * r * r;
   }
+  if (planar) return sum * std::numbers::pi / (length.x * length.y);
   return sum * (4.0 / 3.0 * std::numbers::pi) / cell_volume(world);
 }
 

@@ -35,7 +35,9 @@ void book_flow(World& world, const CellStep& step);
 // After the forces: stress, work, and the rates of the next step. Throws RunError when the box has become too short.
 void finish_cell_step(World& world, int threads, double dt);
 
-// Whether the box is periodic along every axis of the scene: it then has a volume, a stress, a solid fraction.
+// Whether the box is periodic along every axis of the scene: it then has a volume, a stress, a solid fraction. In the
+// plane the volume is that over the thickness of the prisms (a layer of spheres has none), and the fraction one of
+// areas.
 bool is_whole(const World& world);
 double cell_volume(const World& world);  // m³
 Mat3d cell_stress(const World& world);   // (2), Pa; row: force, column: face

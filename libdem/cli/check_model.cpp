@@ -21,6 +21,7 @@ void print_deformation(const PeriodicSpec& box) {
   for (const DeformSpec& d : box.deform) {
     std::string text;
     for (int k = 0; k < 3; ++k) {
+      if (!box.along(k)) continue;
       if (!text.empty()) text += ", ";
       text += d.follows(k) ? fmt::format("{} to {:.6g} Pa", "xyz"[k], d.target_stress[k])
                            : fmt::format("{} at {:.6g}/s", "xyz"[k], d.strain_rates[k]);

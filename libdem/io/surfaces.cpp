@@ -114,4 +114,38 @@ std::vector<WallSurface> wall_surfaces(const World& world, const Box& box) {
   return surfaces;
 }
 
+Box cell_box(const World& world) {
+  Box box = particle_box(world);
+  const Cell& cell = world.cell;
+  for (int k = 0; k < 3; ++k) {
+    if (cell.lattice.length[k] == 0) continue;
+    box.lower[k] = cell.lower[k];
+    box.upper[k] = cell.lower[k] + cell.lattice.length[k];
+  }
+  return box;
+}
+
+std::vector<WallSurface> cell_surfaces(const World& world) {
+  if (!world.cell.periodic) return {};
+  const Box box = cell_box(world);
+  WallSurface surface{world.walls.size(), false, {}, {}, {}, {}, {}};
+  for (int corner = 0; corner < 8; ++corner)
+    surface.vertices.push_back({(corner & 1 ? box.upper : box.lower).x, (corner & 2 ? box.upper : box.lower).y,
+                                (corner & 4 ? box.upper : box.lower).z});
+  const auto face = [&surface](std::initializer_list<std::uint32_t> corners) {
+    surface.corners.insert(surface.corners.end(), corners);
+    surface.ends.push_back(static_cast<std::uint32_t>(surface.corners.size()));
+  };
+  face({4, 5, 7, 6});
+  if (world.scene.dimension == 3) {
+    face({0, 2, 3, 1});
+    face({0, 1, 5, 4});
+    face({2, 6, 7, 3});
+    face({0, 4, 6, 2});
+    face({1, 3, 7, 5});
+  }
+  surface.outline.assign(surface.corners.size(), 1);
+  return {surface};
+}
+
 }  // namespace dem::io

@@ -20,6 +20,9 @@ Box particle_box(const World& world);
 // Particles, mesh walls that are present, boxes that are filled and, when there is nothing else, the planes' points.
 Box scene_box(const World& world);
 
+// The periodic box; along axes that are not periodic it ends where the bodies do.
+Box cell_box(const World& world);
+
 struct WallSurface {
   std::size_t wall;                    // index into World::walls
   bool half_space;                     // a plane: only the side that its normal points to is free
@@ -33,5 +36,8 @@ struct WallSurface {
 // The walls that are present. A plane becomes the part of a square about the box that lies on the free side of all
 // other planes: five planes show as an open box.
 std::vector<WallSurface> wall_surfaces(const World& world, const Box& box);
+// What shows the periodic box in a picture: its faces (`wall` is the number of walls), in 2-D the rectangle in front of
+// the bodies; nothing in a scene without one.
+std::vector<WallSurface> cell_surfaces(const World& world);
 
 }  // namespace dem::io

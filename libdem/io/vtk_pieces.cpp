@@ -189,4 +189,27 @@ bool write_walls(const std::string& path, const World& world) {
   return true;
 }
 
+bool write_cell(const std::string& path, const World& world) {
+  if (!world.cell.periodic) return false;
+  const Box box = cell_box(world);
+  const bool planar = world.scene.dimension == 2;
+  std::vector<Vec3d> points;
+  std::vector<std::int32_t> connectivity, ends;
+  for (int corner = 0; corner < (planar ? 4 : 8); ++corner) {
+    points.push_back({(corner & 1 ? box.upper : box.lower).x, (corner & 2 ? box.upper : box.lower).y,
+                      planar ? 0 : (corner & 4 ? box.upper : box.lower).z});
+    for (const int bit : {1, 2, 4}) {
+      if ((corner & bit) != 0 || (planar && bit == 4)) continue;
+      connectivity.push_back(corner);
+      connectivity.push_back(corner | bit);
+      ends.push_back(index32(connectivity.size()));
+    }
+  }
+  Vtp file;
+  file.set_points(points, true);
+  file.set_cells(Vtp::Cells::lines, connectivity, ends);
+  file.write(path);
+  return true;
+}
+
 }  // namespace dem::io

@@ -25,8 +25,13 @@ bool write_polyhedra(const std::string& path, const World& world);
 bool write_contacts(const std::string& path, const World& world);
 // Walls as polygons: per cell wall (its index), material.
 bool write_walls(const std::string& path, const World& world);
+// The periodic box as lines; along axes that are not periodic it ends where the bodies do.
+bool write_cell(const std::string& path, const World& world);
 
-inline constexpr std::array<VtkPiece, 4> vtk_pieces{
-    {{"spheres", write_rounds}, {"polyhedra", write_polyhedra}, {"contacts", write_contacts}, {"walls", write_walls}}};
+inline constexpr std::array<VtkPiece, 5> vtk_pieces{{{"spheres", write_rounds},
+                                                     {"polyhedra", write_polyhedra},
+                                                     {"contacts", write_contacts},
+                                                     {"walls", write_walls},
+                                                     {"cell", write_cell}}};
 
 }  // namespace dem::io

@@ -72,6 +72,7 @@ Picture picture_of(const World& world, const View& view) {
   if (view.orthographic && std::abs(view.orthographic->z) > 0.9 * norm(*view.orthographic))
     for (io::WallSurface& s : picture.walls)
       if (world.walls[s.wall].kind == shapes::Kind::line) to_strip(s, box, *view.orthographic);
+  for (io::WallSurface& c : io::cell_surfaces(world)) picture.walls.push_back(std::move(c));
   if (by == "shape") picture.names = names_of(world.shapes);
   if (by == "material") picture.names = names_of(world.scene.materials);
   if (by == "species") {
@@ -111,6 +112,11 @@ io::Box picture_box(const World& world) {
   for (const io::WallSurface& s : io::wall_surfaces(world, io::scene_box(world)))
     if (!s.half_space)
       for (const Vec3d& v : s.vertices) all.add(v);
+  if (world.cell.periodic) {
+    const io::Box cell = io::cell_box(world);
+    all.add(cell.lower);
+    all.add(cell.upper);
+  }
   if (particles.empty) return all.empty ? io::scene_box(world) : all;
   return all.radius() <= 4 * particles.radius() ? all : particles;
 }

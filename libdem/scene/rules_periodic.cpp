@@ -1,5 +1,5 @@
 // Rules of periodic scenes: a box of some length, and walls, outlets and fills that are the same for every image; a box
-// that deforms is periodic along every axis.
+// that deforms is periodic along every axis of its scene.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -23,9 +23,10 @@ class PeriodicRules : RuleContext {
     const std::string zero = fmt::format("allowed: 0 along periodic.axes = \"{}\"", box_.axes);
     for (std::size_t i = 0; i < scene.walls.size(); ++i) {
       const WallSpec& w = scene.walls[i];
-      if (w.kind != "plane")
-        wrong("wall", i, "kind", "with periodic.axes only planes are allowed: a mesh has no images");
-      if (w.kind == "plane" && crosses(w.normal)) wrong("wall", i, "normal", zero);
+      const bool endless = w.kind == "plane" || w.kind == "line";
+      if (!endless)
+        wrong("wall", i, "kind", "with periodic.axes only planes (lines in 2-D) are allowed: a mesh has no images");
+      if (endless && crosses(w.normal)) wrong("wall", i, "normal", zero);
       if (w.motion == WallMotion::rotation || w.motion == WallMotion::table)
         wrong("wall", i, "motion", "allowed with periodic.axes: fixed, translation, oscillation, servo");
     }
@@ -81,7 +82,12 @@ class PeriodicRules : RuleContext {
   }
 
   void deform() const {
-    if (box_.axes != "xyz") wrong("periodic", 0, "axes", "a box that deforms is periodic along every axis: \"xyz\"");
+    const char* const every = scene.dimension == 2 ? "xy" : "xyz";
+    if (box_.axes != every)
+      wrong("periodic", 0, "axes", fmt::format("a box that deforms is periodic along every axis: \"{}\"", every));
+    if (scene.dimension == 2 && scene.disc_model == DiscModel::sphere)
+      wrong("world", 0, "disc_model",
+            "allowed with periodic.deform: \"prism\", for a layer of spheres has no thickness");
     if (!(scene.gravity == Vec3d{}))
       wrong("world", 0, "gravity", "allowed with periodic.deform: [0, 0, 0], for nothing would hold the bodies");
     for (std::size_t i = 0; i < scene.events.size(); ++i)
@@ -94,7 +100,14 @@ class PeriodicRules : RuleContext {
       if (i > 0 && !(box_.deform[i].start > box_.deform[i - 1].start))
         wrong_deform(i, "start", fmt::format("does not follow {}: allowed are rising times", box_.deform[i - 1].start));
       if (box_.deform[i].stress_axes != "none") servo(i);
+      if (scene.dimension == 2) planar(i);
     }
+  }
+
+  void planar(std::size_t i) const {
+    const DeformSpec& d = box_.deform[i];
+    if (d.strain_rates.z != 0) wrong_deform(i, "strain_rates", "entry 3 must be 0 in a 2-D scene");
+    if (d.follows(2)) wrong_deform(i, "stress_axes", "a 2-D scene allows none, x, y, xy");
   }
 
   void servo(std::size_t i) const {

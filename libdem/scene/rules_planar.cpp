@@ -27,7 +27,8 @@ class PlanarRules {
     for (std::size_t i = 0; i < scene_.walls.size(); ++i) kind("wall", i, scene_.walls[i].kind);
     mass();
     if (!planar_) return;
-    if (scene_.periodic.axes != "none") wrong("periodic", 0, "axes", "a 2-D scene has no periodic boundaries yet");
+    if (scene_.periodic.along(2)) wrong("periodic", 0, "axes", "a 2-D scene allows none, x, y, xy");
+    for (const char* key : {"lower", "upper"}) components("periodic", 0, key, {2});
     law();
     components("world", 0, "gravity", {2});
     for (std::size_t i = 0; i < scene_.walls.size(); ++i) {

@@ -18,6 +18,9 @@ void PrintTo(const BadDeform& b, std::ostream* out) { *out << b.name; }
 
 #define BOX "[periodic]\naxes = \"xyz\"\nlower = [-1, -1, -1]\nupper = [1, 1, 1]\n[[periodic.deform]]\n"
 
+// The key goes on in the table [world], before [law].
+#define PLANE "dimension = 2\nthickness = 0.01\n[periodic]\n"
+
 const std::vector<BadDeform> inputs{
     {"partly_periodic",
      "[periodic]\naxes = \"xy\"\nlower = [-1, -1, -1]\nupper = [1, 1, 1]\ndeform = [{ strain_rates = [1, 0, 0] }]\n",
@@ -49,6 +52,26 @@ const std::vector<BadDeform> inputs{
      BOX "stress_axes = \"xy\"\nisotropic = true\ntarget_stress = [1, 2, 0]\nrate_limit = 1\n",
      {"target_stress = [1, 2, 0]", "the same along all stress_axes"}},
     {"servo_keys_without_servo", BOX "rate_limit = 1\n", {"periodic.deform.rate_limit", "stress_axes"}},
+    {"plane_along_z",
+     PLANE "axes = \"xz\"\nlower = [0, 0, 0]\nupper = [1, 1, 0]\n",
+     {"periodic.axes = \"xz\"", "a 2-D scene allows none, x, y, xy"}},
+    {"plane_with_height",
+     PLANE "axes = \"x\"\nlower = [0, 0, 0]\nupper = [1, 1, 1]\n",
+     {"periodic.upper = [1, 1, 1]", "entry 3 must be 0"}},
+    {"plane_partly",
+     PLANE "axes = \"y\"\nlower = [0, 0, 0]\nupper = [1, 1, 0]\ndeform = [{ strain_rates = [1, 0, 0] }]\n",
+     {"periodic.axes = \"y\"", "periodic along every axis: \"xy\""}},
+    {"plane_rate_of_z",
+     PLANE "axes = \"xy\"\nlower = [0, 0, 0]\nupper = [1, 1, 0]\ndeform = [{ strain_rates = [1, 0, 1] }]\n",
+     {"strain_rates = [1, 0, 1]", "entry 3 must be 0 in a 2-D scene"}},
+    {"plane_stress_of_z",
+     PLANE "axes = \"xy\"\nlower = [0, 0, 0]\nupper = [1, 1, 0]\n[[periodic.deform]]\nstress_axes = \"xz\"\n"
+           "target_stress = [1, 0, 1]\nrate_limit = 1\n",
+     {"stress_axes = \"xz\"", "a 2-D scene allows none, x, y, xy"}},
+    {"plane_of_spheres",
+     "dimension = 2\ndisc_model = \"sphere\"\n[periodic]\naxes = \"xy\"\nlower = [0, 0, 0]\nupper = [1, 1, 0]\ndeform "
+     "= [{ strain_rates = [1, 0, 0] }]\n",
+     {"disc_model = \"sphere\"", "a layer of spheres has no thickness"}},
 };
 
 class BadDeformation : public testing::TestWithParam<BadDeform> {};
