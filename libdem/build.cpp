@@ -272,6 +272,11 @@ World build_world(const Scene& scene) {
   return world;
 }
 
+std::uint64_t steps_between(double interval, double dt) {
+  constexpr double most = 0x1p53;
+  return interval > 0 ? static_cast<std::uint64_t>(std::clamp(std::round(interval / dt), 1.0, most)) : 0;
+}
+
 std::uint64_t total_steps(const World& world) {
   const RunSpec& run = world.scene.run;
   return run.steps > 0 ? run.steps : static_cast<std::uint64_t>(std::ceil(run.time / world.time_step.dt - 1e-9));

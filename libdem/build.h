@@ -40,6 +40,8 @@ Stiffness contact_stiffness(const World& world, std::size_t record);
 double contact_damping(const World& world, std::size_t record);
 // What the body of a touching contact with a wall opposes to the wall's speed: (1 + 2β) sqrt(kn m), N s/m.
 double contact_resistance(const World& world, std::size_t record);
+// Of a touching contact: midway in the overlap, or the centre of its patch; world coordinates, m.
+Vec3d contact_point(const World& world, std::size_t record);
 // The smallest limit of the contacts as they are now, s; +infinity without contacts.
 double present_limit(const World& world);
 

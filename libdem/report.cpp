@@ -8,13 +8,6 @@
 namespace dem {
 namespace {
 
-// Relative to a's centre. Sphere pairs and sphere–plane contacts do not keep it: theirs is midway in the overlap.
-Vec3d centre_of(const World& world, std::size_t k) {
-  const Contacts& c = world.contacts;
-  if (!c.centre.empty() && !(c.centre[k] == Vec3d{})) return c.centre[k];
-  return c.history[k].normal * (world.particles.motion[c.index_a[k]].bounding_radius - 0.5 * c.history[k].overlap);
-}
-
 std::vector<std::uint32_t> touching_by_key(const Contacts& c) {
   std::vector<std::uint32_t> list;
   for (std::size_t k = 0; k < c.count(); ++k)
@@ -24,6 +17,14 @@ std::vector<std::uint32_t> touching_by_key(const Contacts& c) {
 }
 
 }  // namespace
+
+// Sphere pairs and sphere–plane contacts do not keep it: theirs is midway in the overlap.
+Vec3d contact_point(const World& world, std::size_t k) {
+  const Contacts& c = world.contacts;
+  const Motion& a = world.particles.motion[c.index_a[k]];
+  if (!c.centre.empty() && !(c.centre[k] == Vec3d{})) return a.position + c.centre[k];
+  return a.position + c.history[k].normal * (a.bounding_radius - 0.5 * c.history[k].overlap);
+}
 
 std::vector<std::uint32_t> order_by_id(const World& world) {
   std::vector<std::uint32_t> order(world.particles.count());
@@ -46,7 +47,7 @@ std::vector<ContactReport> touching_contacts(const World& world) {
     r.part_a = c.key[k].part_a;
     r.overlap = c.history[k].overlap;
     r.normal = c.history[k].normal;
-    r.point = p.motion[c.index_a[k]].position + centre_of(world, k);
+    r.point = contact_point(world, k);
     r.force = c.slot[k].force;
     r.tangential = r.force - r.normal * dot(r.normal, r.force);
     list.push_back(r);

@@ -22,12 +22,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-// An interval of time as whole steps, so that a resumed run meets the same steps; 0: never.
-std::uint64_t steps_between(double interval, double dt) {
-  constexpr double most = 0x1p53;
-  return interval > 0 ? static_cast<std::uint64_t>(std::clamp(std::round(interval / dt), 1.0, most)) : 0;
-}
-
 bool due(std::uint64_t step, std::uint64_t every) { return every > 0 && step % every == 0; }
 
 // Everything that a run writes while it goes.
@@ -38,6 +32,7 @@ class Output {
         frame_every_(steps_between(world.scene.output.interval, world.time_step.dt)),
         checkpoint_every_(steps_between(world.scene.output.checkpoint_interval, world.time_step.dt)),
         cell_every_(steps_between(world.scene.output.cell_interval, world.time_step.dt)),
+        walls_every_(steps_between(world.scene.output.walls_interval, world.time_step.dt)),
         silent_(options.folder.empty()) {
     if (silent_) return;
     fs::create_directories(options.folder);
@@ -45,6 +40,7 @@ class Output {
     const OutputSpec& what = world.scene.output;
     if (what.vtk) vtk_.emplace(options.folder);
     if (is_whole(world)) cell_.emplace(path("cell.csv"), world, resumed);
+    if (what.walls && !world.walls.empty()) walls_.emplace(path("walls.csv"), world, resumed);
     if (what.hdf5) record_.emplace(path("record.h5"), world, resumed && fs::exists(path("record.h5")));
     if (resumed) {  // frames that the stopped run wrote after its last checkpoint will come again
       if (vtk_) vtk_->truncate_after(world.step);
@@ -55,12 +51,14 @@ class Output {
   }
 
   bool due_now(std::uint64_t step) const {
-    return !silent_ && (due(step, frame_every_) || due(step, checkpoint_every_) || (cell_ && due(step, cell_every_)));
+    return !silent_ && (due(step, frame_every_) || due(step, checkpoint_every_) || (cell_ && due(step, cell_every_)) ||
+                        (walls_ && due(step, walls_every_)));
   }
   // Frames come before the checkpoint of the same step: a resume then has every frame up to its checkpoint.
   void write_due(const World& world) {
     if (due(world.step, frame_every_)) frame(world);
     if (cell_ && due(world.step, cell_every_)) cell_->write(world);
+    if (walls_ && due(world.step, walls_every_)) walls_->write(world);
     if (due(world.step, checkpoint_every_)) checkpoint(world);
   }
   void checkpoint(const World& world) const {
@@ -70,12 +68,14 @@ class Output {
     if (vtk_) vtk_->write(world);
     if (record_) record_->write(world);
     if (cell_ && (cell_every_ == 0 || world.step == 0)) cell_->write(world);
+    if (walls_ && (walls_every_ == 0 || world.step == 0)) walls_->write(world);
   }
   // The state as it is, whether the run reached its end or failed.
   void state(const World& world) {
     if (silent_) return;
     frame(world);
     if (cell_) cell_->write(world);
+    if (walls_) walls_->write(world);
     io::write_final_csv(path("final.csv"), world);
     if (!world.scene.outlets.empty()) io::write_discharge_csv(path("discharge.csv"), world);
   }
@@ -91,10 +91,11 @@ class Output {
   std::string path(const char* name) const { return options_.folder + "/" + name; }
 
   const RunOptions& options_;
-  std::uint64_t frame_every_, checkpoint_every_, cell_every_;
+  std::uint64_t frame_every_, checkpoint_every_, cell_every_, walls_every_;
   bool silent_;
   std::optional<io::VtkSeries> vtk_;
   std::optional<io::Record> record_;
+  std::optional<io::WallSeries> walls_;
   std::optional<io::CellSeries> cell_;  // of a box that is periodic along every axis
 };
 

@@ -71,6 +71,8 @@ struct WallState {
   Vec3d position;
   Quatd orientation;
   Vec3d velocity, spin, force, torque;
+  std::array<Accumulator, 3> impulse;
+  Accumulator work;
   double resistance;
   Vec3d reference;  // events move these four
   Quatd reference_orientation;
@@ -125,10 +127,12 @@ void particles(Archive& a, W& world) {
 std::vector<std::uint8_t> save_state(const World& world) {
   Writer w;
   particles(w, world);
-  for (const Wall& x : world.walls)
-    w.value(WallState{x.position, x.orientation, x.velocity, x.spin, x.force, x.torque, x.resistance, x.reference,
-                      x.reference_orientation, x.motion.start, x.motion.stop, x.present ? 1u : 0u,
-                      x.unchecked ? 1u : 0u});
+  for (const Wall& x : world.walls) {
+    w.value(WallState{x.position, x.orientation, x.velocity, x.spin, x.force, x.torque, x.load.impulse, x.load.work,
+                      x.resistance, x.reference, x.reference_orientation, x.motion.start, x.motion.stop,
+                      x.present ? 1u : 0u, x.unchecked ? 1u : 0u});
+    w.list(x.load.map);
+  }
   const Contacts& c = world.contacts;
   std::vector<Kept> kept;
   for (std::size_t k = 0; k < c.count(); ++k)
@@ -151,6 +155,8 @@ void load_state(World& world, const std::vector<std::uint8_t>& bytes) {
     x.spin = s.spin;
     x.force = s.force;
     x.torque = s.torque;
+    x.load.impulse = s.impulse;
+    x.load.work = s.work;
     x.resistance = s.resistance;
     x.reference = s.reference;
     x.reference_orientation = s.reference_orientation;
@@ -158,6 +164,9 @@ void load_state(World& world, const std::vector<std::uint8_t>& bytes) {
     x.motion.stop = s.stop;
     x.present = s.present != 0;
     x.unchecked = s.unchecked != 0;
+    const std::size_t triangles = x.load.map.size();
+    r.list(x.load.map);
+    if (x.load.map.size() != triangles) throw RunError("checkpoint: another pressure map than this scene's");
   }
   std::vector<Kept> kept;
   r.list(kept);

@@ -148,6 +148,7 @@ void advance(World& world, int threads) {
   if (candidates_outdated(world)) rebuild_candidates(world, threads);
   compute_forces(world, threads, dt);
   sum_forces(world, threads);
+  book_wall_loads(world, dt);
   check_inserted_walls(world);
 
   const auto end = std::chrono::steady_clock::now();

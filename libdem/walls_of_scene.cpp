@@ -104,6 +104,7 @@ Wall make_wall(const WallSpec& s, std::uint32_t material) {
     } catch (const shapes::Error& error) {
       input_error(s.where, "wall \"" + s.name + "\": " + error.what());
     }
+    if (s.pressure_map) w.load.map.resize(w.mesh->triangles.size() / 3);
     for (const Vec3d& v : w.mesh->vertices) w.extent = std::max(w.extent, shapes::norm(v));
   }
   w.present = s.present;

@@ -15,6 +15,7 @@
 #include "libdem/events/condition.h"
 #include "libdem/particles.h"
 #include "libdem/scene/scene.h"
+#include "libdem/wall_load.h"
 
 namespace dem {
 
@@ -56,6 +57,7 @@ struct Wall {
   Vec3d list_position{};   // at the last rebuild of the list
   Quatd list_orientation{};
   Vec3d force{}, torque{};  // of the particles on the wall, this step: N, N m about its origin
+  WallLoad load;            // summed over time
   Vec3d push{};             // servo: unit, along which it pushes
   double target = 0;        // servo: N
   double resistance = 0;    // servo: N s/m, of the bodies that it last touched; see walls.cpp
@@ -146,6 +148,8 @@ struct World {
 
 // Builds the world of a scene: shapes, masses, bodies, walls, dt. Throws InputError (bad mesh, initial overlap, …).
 World build_world(const Scene& scene);
+// An interval of time as whole steps, so that a resumed run meets the same steps; 0: never.
+std::uint64_t steps_between(double interval, double dt);
 // The number of steps that run.time or run.steps asks for.
 std::uint64_t total_steps(const World& world);
 // Whether the run has come to its end: these steps, run.until, or an event that stops it; and which of the latter two.

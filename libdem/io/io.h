@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "libdem/io/time_series.h"
 #include "libdem/world.h"
 
 namespace dem::io {
@@ -28,12 +29,25 @@ void write_discharge_csv(const std::string& path, const World& world);
 // coordination_backbone (see Coordination), translational and elastic energy, work (of the deformation), J; 17 digits.
 class CellSeries {
  public:
-  // Begins the file, or goes on with the rows that it has up to the world's time: a resume drops later ones.
   CellSeries(std::string path, const World& world, bool append);
   void write(const World& world);  // one row, unless the file ends with a row of this time
 
  private:
-  std::string path_, last_;  // last_: the time in the last row, as written
+  TimeSeries file_;
+};
+
+// walls.csv, a row for each wall that is present: time, wall; x, y, z of its point that the motion moves (m); now:
+// force of the bodies on it (N), torque about that point (N m), power of both (W, of the bodies on the wall); since the
+// start: impulse ∫ force dt (N s) and work ∫ power dt (J), so that means over any span follow from differences; area
+// (m²: of a mesh's triangles, or `area` of a servo) and mean_pressure (Pa: the normal parts of its contacts over the
+// area), empty where there is no area; 17 digits.
+class WallSeries {
+ public:
+  WallSeries(std::string path, const World& world, bool append);
+  void write(const World& world);  // its rows, unless the file ends with rows of this time
+
+ private:
+  TimeSeries file_;
 };
 
 // frames.pvd and frames/*.vtp: spheres and ellipsoids as points (radius, tensor), polyhedra as polygons, contacts as

@@ -169,6 +169,9 @@ bool write_contacts(const std::string& path, const World& world) {
 bool write_walls(const std::string& path, const World& world) {
   std::vector<Vec3d> points;
   std::vector<std::int32_t> connectivity, ends, wall, material;
+  std::vector<double> pressure, traction, shear;
+  bool maps = false;
+  for (const Wall& w : world.walls) maps = maps || !w.load.map.empty();
   for (const WallSurface& s : wall_surfaces(world, scene_box(world))) {
     const std::size_t base = points.size(), first = connectivity.size();
     points.insert(points.end(), s.vertices.begin(), s.vertices.end());
@@ -178,6 +181,14 @@ bool write_walls(const std::string& path, const World& world) {
       wall.push_back(index32(s.wall));
       material.push_back(index32(world.walls[s.wall].material));
     }
+    if (!maps) continue;
+    std::vector<TriangleTraction> map = tractions(world, world.walls[s.wall]);
+    map.resize(s.ends.size());
+    for (const TriangleTraction& t : map) {
+      pressure.push_back(t.pressure);
+      append(traction, list(t.traction));
+      append(shear, list(t.shear));
+    }
   }
   if (points.empty()) return false;
   Vtp file;
@@ -185,6 +196,11 @@ bool write_walls(const std::string& path, const World& world) {
   file.set_cells(Vtp::Cells::polygons, connectivity, ends);
   file.add_cell_array("wall", 1, wall);
   file.add_cell_array("material", 1, material);
+  if (maps) {
+    file.add_cell_array("pressure", 1, pressure);
+    file.add_cell_array("traction", 3, traction);
+    file.add_cell_array("shear", 3, shear);
+  }
   file.write(path);
   return true;
 }

@@ -23,7 +23,8 @@ bool write_polyhedra(const std::string& path, const World& world);
 // Touching contacts as lines from centre to centre, or from the centre to the contact point at a wall: a, b (a wall:
 // −1 − its index), force (on a), force_magnitude, tangential, normal, overlap, point.
 bool write_contacts(const std::string& path, const World& world);
-// Walls as polygons: per cell wall (its index), material.
+// Walls as polygons: per cell wall (its index), material; where a wall has a map also pressure, traction (force of the
+// bodies per area) and shear (its tangential part), Pa in double, means since the frame before; 0 on walls without.
 bool write_walls(const std::string& path, const World& world);
 // The periodic box as lines; along axes that are not periodic it ends where the bodies do.
 bool write_cell(const std::string& path, const World& world);

@@ -37,7 +37,8 @@ struct OutputSpec {
   double interval = 0;             // s between frames; 0: only the first and last
   double checkpoint_interval = 0;  // s of simulated time; 0: at the end and on interrupt only
   double cell_interval = 0;        // s between rows of cell.csv; 0: with the frames
-  bool vtk = true, hdf5 = true, picture = true;
+  double walls_interval = 0;       // s between rows of walls.csv; 0: with the frames
+  bool vtk = true, hdf5 = true, picture = true, walls = true;
 };
 
 struct MaterialSpec {
@@ -141,6 +142,7 @@ struct WallSpec {
   double speed_limit = 0;                            // servo: m/s
   double gain = 1;                                   // servo
   double start = 0, stop = std::numeric_limits<double>::infinity();  // s, when it moves
+  bool pressure_map = false;                                         // meshes
   bool present = true;                                               // at the start; an event may insert or remove it
   double remove_at = std::numeric_limits<double>::infinity();        // s: the wall disappears (a gate)
   Where where;

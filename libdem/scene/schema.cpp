@@ -110,9 +110,13 @@ std::vector<Key> output_keys() {
       value<&OutputSpec::cell_interval>("cell_interval", "s",
                                         "Simulated time between rows of cell.csv (periodic box); 0 = with the frames.")
           .from(0),
+      value<&OutputSpec::walls_interval>("walls_interval", "s",
+                                         "Simulated time between rows of walls.csv; 0 = with the frames.")
+          .from(0),
       value<&OutputSpec::vtk>("vtk", "", "Write frames for ParaView (frames.pvd)."),
       value<&OutputSpec::hdf5>("hdf5", "", "Write frames into the record (record.h5)."),
       value<&OutputSpec::picture>("picture", "", "Draw the final state (final.png)."),
+      value<&OutputSpec::walls>("walls", "", "Write force, torque, power of the walls over time (walls.csv)."),
   };
 }
 

@@ -112,6 +112,10 @@ std::vector<Key> motion_keys() {
           .when("motion", {"servo"}),
       value<&WallSpec::start>("start", "s", "When the motion begins.").from(0).when("motion", moving),
       value<&WallSpec::stop>("stop", "s", "When the motion ends.").above(0).when("motion", moving),
+      value<&WallSpec::pressure_map>("pressure_map", "",
+                                     "Write the mean pressure and shear traction on each triangle since the frame "
+                                     "before into the frames of the walls.")
+          .when("kind", {"mesh", "panel", "box", "cylinder", "cone", "drum", "die", "v_shell"}),
       value<&WallSpec::present>("present", "", "Whether it is there at the start; an event may insert or remove it."),
       value<&WallSpec::remove_at>("remove_at", "s", "When the wall is taken away (a gate).").from(0),
   };

@@ -335,6 +335,16 @@ const std::vector<BadInput> inputs{
      "steps = 200",
      "output.cell_interval=-1",
      {"output.cell_interval = -1", "allowed"}},
+    {"walls_interval",
+     "steps = 200",
+     "steps = 200",
+     "output.walls_interval=-1",
+     {"output.walls_interval = -1", "allowed"}},
+    {"map_of_a_plane",
+     "normal = [0, 0, 1]",
+     "normal = [0, 0, 1]\npressure_map = true",
+     nullptr,
+     {"wall.pressure_map", "kind"}},
 };
 
 class BadScene : public testing::TestWithParam<BadInput> {};

@@ -1,0 +1,102 @@
+#include "libdem/wall_load.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "libdem/build.h"
+
+namespace dem {
+
+namespace {
+
+std::array<Vec3d, 3> corners(const shapes::Mesh& mesh, std::size_t triangle) {
+  const std::uint32_t* t = &mesh.triangles[3 * triangle];
+  return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
+}
+
+// How far inside a triangle a point of its plane is: the least of its barycentric coordinates.
+double depth_in(const std::array<Vec3d, 3>& corner, const Vec3d& x) {
+  const Vec3d n = cross(corner[1] - corner[0], corner[2] - corner[0]);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3d &a = corner[k], &b = corner[(k + 1) % 3];
+    least = std::min(least, dot(n, cross(b - a, x - a)));
+  }
+  return least / dot(n, n);
+}
+
+// The triangle of a facet that holds a point, or that it is least outside of.
+std::size_t triangle_at(const shapes::Mesh& mesh, std::uint32_t facet, const Vec3d& x) {
+  const auto& f = mesh.facets[facet];
+  std::size_t best = mesh.facet_triangles[f.first_triangle];
+  if (f.triangle_count == 1) return best;
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = 0; i < f.triangle_count; ++i) {
+    const std::size_t t = mesh.facet_triangles[f.first_triangle + i];
+    const double depth = depth_in(corners(mesh, t), x);
+    if (depth > deepest) {
+      deepest = depth;
+      best = t;
+    }
+  }
+  return best;
+}
+
+// The step of the frame before this one: maps are sums over the steps after it.
+std::uint64_t map_begin(const World& world) {
+  const std::uint64_t every = steps_between(world.scene.output.interval, world.time_step.dt);
+  return every > 0 && world.step > 0 ? (world.step - 1) / every * every : 0;
+}
+
+void book_maps(World& world, double dt) {
+  if (world.step == map_begin(world) + 1)
+    for (Wall& w : world.walls) std::fill(w.load.map.begin(), w.load.map.end(), TriangleLoad{});
+  const Contacts& c = world.contacts;
+  for (const std::uint32_t k : c.wall_records) {
+    Wall& w = world.walls[c.index_b[k]];
+    if (c.touching[k] == 0 || w.load.map.empty()) continue;
+    const Vec3d force = -c.slot[k].force, normal = c.history[k].normal;  // on the wall, into it
+    const double pressing = dot(force, normal);
+    const Mat3d r = rotation_matrix(w.orientation);
+    const Vec3d x = transposed_times(r, contact_point(world, k) - w.position);
+    TriangleLoad& load = w.load.map[triangle_at(*w.mesh, c.key[k].part, x)];
+    load.force += transposed_times(r, force) * dt;
+    load.tangential += transposed_times(r, force - normal * pressing) * dt;
+    load.pressing += pressing * dt;
+  }
+}
+
+}  // namespace
+
+double wall_power(const Wall& w) { return dot(w.force, w.velocity) + dot(w.torque, w.spin); }
+
+void book_wall_loads(World& world, double dt) {
+  bool maps = false;
+  for (Wall& w : world.walls) {
+    for (int k = 0; k < 3; ++k) w.load.impulse[static_cast<std::size_t>(k)].add(w.force[k] * dt);
+    w.load.work.add(wall_power(w) * dt);
+    maps = maps || !w.load.map.empty();
+  }
+  if (maps) book_maps(world, dt);
+}
+
+double map_duration(const World& world) {
+  return static_cast<double>(world.step - map_begin(world)) * world.time_step.dt;
+}
+
+std::vector<TriangleTraction> tractions(const World& world, const Wall& w) {
+  std::vector<TriangleTraction> list(w.load.map.size());
+  const double duration = map_duration(world);
+  if (!(duration > 0)) return list;
+  const Mat3d r = rotation_matrix(w.orientation);
+  for (std::size_t t = 0; t < list.size(); ++t) {
+    const auto corner = corners(*w.mesh, t);
+    const double area = 0.5 * norm(cross(corner[1] - corner[0], corner[2] - corner[0]));
+    const TriangleLoad& load = w.load.map[t];
+    const double per = 1 / (area * duration);
+    list[t] = {r * (load.force * per), r * (load.tangential * per), load.pressing * per};
+  }
+  return list;
+}
+
+}  // namespace dem
