@@ -64,7 +64,7 @@ class ForcePass {
     for (const Wall& w : world.walls) {
       contact::Body b;
       b.kind = w.kind;
-      b.geometry = w.mesh.get();
+      b.geometry = w.polygon ? static_cast<const void*>(w.polygon.get()) : w.mesh.get();
       b.size = {1, 1, 1};
       b.rotation = shapes::rotation_matrix(w.orientation);
       walls_.push_back({b, b.rotation.column(w.kind == shapes::Kind::line ? 1 : 2)});

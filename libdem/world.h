@@ -44,12 +44,13 @@ struct Wall {
   std::string name;
   shapes::Kind kind = shapes::Kind::plane;
   std::uint32_t material = 0;
-  std::shared_ptr<const shapes::Mesh> mesh;
-  WallSpec motion;           // prescribed motion
-  Vec3d position{};          // of its origin, m (mesh: body frame origin; plane: a point on it)
-  Quatd orientation{};       // body -> world
-  Vec3d velocity{}, spin{};  // of its origin, m/s; rad/s
-  Vec3d reference{};         // position at t = 0
+  std::shared_ptr<const shapes::Mesh> mesh;        // kind mesh; of a polygon: its area, for files and pictures
+  std::shared_ptr<const shapes::Polygon> polygon;  // kind polygon: convex, its centroid is the origin
+  WallSpec motion;                                 // prescribed motion
+  Vec3d position{};                                // of its origin, m (mesh: body frame origin; plane: a point on it)
+  Quatd orientation{};                             // body -> world
+  Vec3d velocity{}, spin{};                        // of its origin, m/s; rad/s
+  Vec3d reference{};                               // position at t = 0
   Quatd reference_orientation{};
   bool present = true;
   bool unchecked = false;  // inserted by an event, not yet tried against the bodies

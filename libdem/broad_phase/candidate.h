@@ -23,4 +23,11 @@ inline bool near_facet(const shapes::Mesh::Facet& f, const Vec3d& x, double reac
   return d2 < reach * reach && height < reach && height > -reach;
 }
 
+// Likewise of a convex polygon: whether the circle reaches over every edge's line.
+inline bool near_polygon(const shapes::Polygon& p, const Vec3d& x, double reach) {
+  for (std::size_t e = 0; e < p.normals.size(); ++e)
+    if (dot(p.normals[e], x) - p.offsets[e] >= reach) return false;
+  return true;
+}
+
 }  // namespace dem

@@ -39,6 +39,10 @@ void wall_candidates(const World& world, std::size_t i, const std::vector<shapes
       continue;
     }
     const Vec3d x = transposed_times(frames[w], d);
+    if (wall.polygon) {
+      if (near_polygon(*wall.polygon, x, reach)) row.push_back(record);
+      continue;
+    }
     for (std::size_t f = 0; f < wall.mesh->facets.size(); ++f) {
       if (!near_facet(wall.mesh->facets[f], x, reach)) continue;
       record.key.part = static_cast<std::uint32_t>(f);

@@ -12,9 +12,9 @@ constexpr const char* columns =
     "time,wall,x,y,z,force_x,force_y,force_z,torque_x,torque_y,torque_z,power,impulse_x,impulse_y,impulse_z,work,area,"
     "mean_pressure";
 
-// m²; 0 when the wall has none: a plane or a line whose scene does not state one.
+// m²; 0 when the wall has none: no mesh, and the scene does not state one.
 double area_of(const Wall& w) {
-  if (!w.mesh) return w.motion.area;
+  if (w.kind != shapes::Kind::mesh) return w.motion.area;
   double area = 0;
   const auto& m = *w.mesh;
   for (std::size_t t = 0; t < m.triangles.size(); t += 3) {

@@ -50,6 +50,12 @@ void to_strip(io::WallSurface& s, const io::Box& box, const Vec3d& look) {
   s.normal = {0, 0, look.z < 0 ? 1.0 : -1.0};
 }
 
+// A polygon shows its area, as opaque as the solid of a line.
+void to_plate(io::WallSurface& s, const Vec3d& look) {
+  s.half_space = true;
+  s.normal = {0, 0, look.z < 0 ? 1.0 : -1.0};
+}
+
 }  // namespace
 
 const std::vector<std::string>& color_names() {
@@ -70,8 +76,11 @@ Picture picture_of(const World& world, const View& view) {
   const io::Box box = view.box ? *view.box : picture_box(world);
   picture.walls = io::wall_surfaces(world, box);
   if (view.orthographic && std::abs(view.orthographic->z) > 0.9 * norm(*view.orthographic))
-    for (io::WallSurface& s : picture.walls)
-      if (world.walls[s.wall].kind == shapes::Kind::line) to_strip(s, box, *view.orthographic);
+    for (io::WallSurface& s : picture.walls) {
+      const Wall& wall = world.walls[s.wall];
+      if (wall.kind == shapes::Kind::line) to_strip(s, box, *view.orthographic);
+      if (wall.kind == shapes::Kind::polygon) to_plate(s, *view.orthographic);
+    }
   for (io::WallSurface& c : io::cell_surfaces(world)) picture.walls.push_back(std::move(c));
   if (by == "shape") picture.names = names_of(world.shapes);
   if (by == "material") picture.names = names_of(world.scene.materials);

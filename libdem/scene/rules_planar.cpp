@@ -23,7 +23,10 @@ class PlanarRules {
 
   void check() {
     for (std::size_t i = 0; i < scene_.shapes.size(); ++i) kind("shape", i, scene_.shapes[i].kind);
-    for (std::size_t i = 0; i < scene_.shapes.size(); ++i) outline(i);
+    for (std::size_t i = 0; i < scene_.shapes.size(); ++i)
+      if (scene_.shapes[i].kind == "polygon") outline("shape", i, scene_.shapes[i].vertices);
+    for (std::size_t i = 0; i < scene_.walls.size(); ++i)
+      if (scene_.walls[i].kind == "polygon") outline("wall", i, scene_.walls[i].vertices);
     for (std::size_t i = 0; i < scene_.walls.size(); ++i) kind("wall", i, scene_.walls[i].kind);
     mass();
     if (!planar_) return;
@@ -78,18 +81,17 @@ class PlanarRules {
     if (is_planar_kind(kind) == planar_) return;
     const bool shape = std::string(table) == "shape";
     wrong(table, i, "kind",
-          planar_ ? fmt::format("a 2-D scene allows {}", shape ? "disc, ellipse, polygon, regular_polygon" : "line")
+          planar_ ? fmt::format("a 2-D scene allows {}",
+                                shape ? "disc, ellipse, polygon, regular_polygon" : "line, polygon")
                   : "is for 2-D scenes: set world.dimension = 2");
   }
 
-  void outline(std::size_t i) {
-    const ShapeSpec& s = scene_.shapes[i];
-    if (s.kind != "polygon") return;
-    if (s.vertices.size() < 3)
-      return wrong("shape", i, "vertices", fmt::format("a polygon needs at least 3, found {}", s.vertices.size()));
-    for (std::size_t k = 0; k < s.vertices.size(); ++k)
-      if (s.vertices[k].z != 0)
-        return wrong("shape", i, "vertices", fmt::format("z of vertex {} must be 0: {}", k, planar_note));
+  void outline(const char* table, std::size_t i, const std::vector<Vec3d>& vertices) {
+    if (vertices.size() < 3)
+      return wrong(table, i, "vertices", fmt::format("a polygon needs at least 3, found {}", vertices.size()));
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+      if (vertices[k].z != 0)
+        return wrong(table, i, "vertices", fmt::format("z of vertex {} must be 0: {}", k, planar_note));
   }
 
   void mass() {

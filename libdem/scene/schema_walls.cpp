@@ -126,8 +126,10 @@ std::vector<Key> motion_keys() {
 std::vector<Key> wall_keys() {
   std::vector<Key> keys{
       value<&WallSpec::name>("name", "", "Name in messages and output.").own_name(),
-      value<&WallSpec::kind>("kind", "", "Infinite plane (2-D: line), triangle mesh, or a mesh made of a few numbers.")
-          .one_of({"plane", "line", "mesh", "panel", "box", "cylinder", "cone", "drum", "die", "v_shell"})
+      value<&WallSpec::kind>(
+          "kind", "",
+          "Infinite plane (2-D: line, or a convex polygon), triangle mesh, or a mesh made of a few numbers.")
+          .one_of({"plane", "line", "polygon", "mesh", "panel", "box", "cylinder", "cone", "drum", "die", "v_shell"})
           .must(),
       value<&WallSpec::material>("material", "", "Its material.").refers("material").must(),
       value<&WallSpec::point>("point", "m", "A point on the plane or line.").when("kind", {"plane", "line"}).must(),
@@ -138,7 +140,9 @@ std::vector<Key> wall_keys() {
           .as_file()
           .when("kind", {"mesh"}),
       value<&WallSpec::scale>("scale", "", "Factor on the coordinates of the mesh.").above(0).when("kind", {"mesh"}),
-      value<&WallSpec::vertices>("vertices", "m", "Vertices of the mesh.").when("kind", {"mesh"}),
+      value<&WallSpec::vertices>("vertices", "m", "Vertices of the mesh, or of the convex polygon in order.")
+          .when("kind", {"mesh", "polygon"})
+          .must_for({"polygon"}),
       value<&WallSpec::triangles>("triangles", "", "Triangles as indices of vertices, from 0.")
           .from(0)
           .to(4294967295.0)

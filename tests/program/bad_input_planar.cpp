@@ -47,7 +47,24 @@ void PrintTo(const BadInput& b, std::ostream* out) { *out << b.name; }
 
 #define CORNERS "[[0, 0, 0], [0.02, 0, 0], [0.01, 0.02, 0]]"
 
+#define LINE "kind = \"line\"\nmaterial = \"stone\"\npoint = [0, 0, 0]\nnormal = [0, 1, 0]"
+#define BLOCK "kind = \"polygon\"\nmaterial = \"stone\"\nvertices = "
+
 const std::vector<BadInput> inputs{
+    {"wall_without_corners", LINE, "kind = \"polygon\"\nmaterial = \"stone\"", {"wall.vertices", "missing"}},
+    {"wall_off_the_plane",
+     LINE,
+     BLOCK "[[0, 0, 0], [1, 0, 0], [0, 0, 1]]",
+     {"scene.toml:20:12", "wall.vertices", "z of vertex 2 must be 0"}},
+    {"wall_that_is_not_convex",
+     LINE,
+     BLOCK "[[-1, -1, 0], [1, -1, 0], [0, -0.5, 0], [0, -0.1, 0]]",
+     {"wall \"floor\"", "not convex; allowed: convex polygons"}},
+    {"wall_of_two_corners", LINE, BLOCK "[[-1, -1, 0], [1, -1, 0]]", {"wall.vertices", "at least 3, found 2"}},
+    {"wall_with_corners_and_a_normal",
+     LINE,
+     BLOCK "[[-1, -1, 0], [1, -1, 0], [0, 0, 0]]\nnormal = [0, 1, 0]",
+     {"wall.normal", "only"}},
     {"polygon_of_two", CORNERS, "[[0, 0, 0], [0.02, 0, 0]]", {"scene.toml:16:12", "at least 3, found 2"}},
     {"polygon_without_corners", "vertices = " CORNERS "\n", "", {"shape.vertices", "missing"}},
     {"polygon_off_the_plane",
