@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "libdem/deformation.h"
 #include "libdem/run.h"
 #include "libdem/scene/data_files.h"
 #include "libdem/validate/list.h"
@@ -55,6 +56,19 @@ TEST(ShippedScenes, TheArrayOfSpheresStandsUnderItsPressure) {
   // No contact has opened: all the neighbours of n planes of spheres along each axis.
   const double n = 13, pairs = 3 * n * (n - 1) * (n - 1);
   EXPECT_EQ(dem::contacts_per_particle(w) * static_cast<double>(w.particles.count()), pairs);
+}
+
+// A tenth of the spheres: they jam, and bear the pressure that is asked for.
+TEST(ShippedScenes, FrictionlessSpheresJamInTheirBox) {
+  const World w = Runs(scene("isotropic_periodic"), "", 1)
+                      .run({"fill[0].count=400", "fill[0].upper=[0.1, 0.1, 0.1]", "periodic.upper=[0.1, 0.1, 0.1]",
+                            "periodic.deform[1].start=0.108", "run.time=1.7"});
+  const dem::Mat3d stress = dem::cell_stress(w);
+  EXPECT_NEAR((stress.row[0].x + stress.row[1].y + stress.row[2].z) / 3, 300, 6);
+  EXPECT_NEAR(dem::solid_fraction(w), 0.641, 0.012);
+  const dem::Coordination z = dem::coordination(w);
+  EXPECT_NEAR(z.backbone, 6.4, 0.4);
+  EXPECT_LT(z.rattlers, 0.06);
 }
 
 }  // namespace
