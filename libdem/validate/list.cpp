@@ -3,7 +3,7 @@
 namespace dem::validate {
 
 extern const Validation two_bodies, box_stack, vibrated_bed, triaxial_fcc, biaxial_2d, silo, hopper_slot, drum,
-    isotropic_periodic;
+    isotropic_periodic, direct_shear;
 
 const std::vector<const Validation*>& validations() {
   static const std::vector<const Validation*> list{
@@ -16,6 +16,7 @@ const std::vector<const Validation*>& validations() {
       &hopper_slot,         //
       &drum,                //
       &isotropic_periodic,  //
+      &direct_shear,        //
   };
   return list;
 }
