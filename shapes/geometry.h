@@ -1,12 +1,13 @@
 // What every kind of body can say about itself: mass properties, radii, support points.
 //
-// All exact to rounding, in the body frame, and scaled exactly by a change of units by a power of two.
+// All exact to rounding unless stated, in the body frame, and scaled exactly by a change of units by a power of two.
 // Tests: tests/shapes/geometry.cpp.
 #pragma once
 
 #include "shapes/ellipsoid.h"
 #include "shapes/mass.h"
 #include "shapes/polyhedron.h"
+#include "shapes/potential_particle.h"
 #include "shapes/rounded_polyhedron.h"
 #include "shapes/sphere.h"
 
@@ -17,12 +18,14 @@ MassProperties mass_properties(const Sphere& s);
 MassProperties mass_properties(const Ellipsoid& e);
 MassProperties mass_properties(const Polyhedron& p);
 MassProperties mass_properties(const RoundedPolyhedron& body);
+MassProperties mass_properties(const PotentialParticle& p);  // to 1e-8, found when it was built
 
 // Radius of the smallest sphere about the body's origin that holds the body, m.
 double circumradius(const Sphere& s);
 double circumradius(const Ellipsoid& e);
 double circumradius(const Polyhedron& p);
 double circumradius(const RoundedPolyhedron& body);
+double circumradius(const PotentialParticle& p);  // at most 0.1 % larger
 
 // Radius of the largest sphere about the body's origin that the body holds, m (not positive when the origin is
 // outside).
@@ -30,6 +33,7 @@ double inscribed_radius(const Sphere& s);
 double inscribed_radius(const Ellipsoid& e);
 double inscribed_radius(const Polyhedron& p);
 double inscribed_radius(const RoundedPolyhedron& body);
+double inscribed_radius(const PotentialParticle& p);
 
 // Radius of the sphere of the same volume, r = (3V/4π)^(1/3), m; volume >= 0. Error 2 ulp.
 double equivalent_radius(double volume);
@@ -48,5 +52,6 @@ inline Vec3d support(const Polyhedron& p, const Vec3d& n) {
   return p.vertices[best];
 }
 Vec3d support(const RoundedPolyhedron& body, const Vec3d& n);
+Vec3d support(const PotentialParticle& p, const Vec3d& n);
 
 }  // namespace shapes

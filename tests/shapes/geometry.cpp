@@ -2,6 +2,7 @@
 #include "shapes/geometry.h"
 
 #include "shapes/list.h"
+#include "tests/shapes/potential_samples.h"
 #include "tests/shapes/support.h"
 
 namespace shape_tests {
@@ -9,6 +10,7 @@ namespace {
 
 using shapes::Ellipsoid;
 using shapes::MassProperties;
+using shapes::PotentialParticle;
 using shapes::RoundedPolyhedron;
 using shapes::Sphere;
 
@@ -50,6 +52,11 @@ struct Samples<RoundedPolyhedron> {
       if (p.vertices.size() < 30) list.push_back({p, 0.3 * p.circumradius});
     return list;
   }
+};
+
+template <>
+struct Samples<PotentialParticle> {
+  static std::vector<PotentialParticle> make() { return potential_particles(); }
 };
 
 // Level function, <= 0 inside, and a random point of the surface.
@@ -101,6 +108,13 @@ Vec3d surface_point(const Polyhedron& p, Random& random) {
 }
 
 Vec3d surface_point(const RoundedPolyhedron& b, Random& random) { return support(b, random.direction()); }
+
+// In units of the size: 2(√g − 1) is the distance over size, about, also where g is steep.
+double level(const PotentialParticle& p, const Vec3d& x) {
+  const auto at = shapes::level_at(p, x - p.centre);
+  return (at.g - 1) / (2 * norm(at.half_gradient) * p.circumradius);
+}
+Vec3d surface_point(const PotentialParticle& p, Random& random) { return support(p, random.direction()); }
 
 template <class S>
 class Solid : public testing::Test {};
