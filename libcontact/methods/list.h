@@ -8,12 +8,13 @@
 #include "libcontact/methods/features.h"
 #include "libcontact/methods/planar.h"
 #include "libcontact/methods/polyhedron_plane.h"
+#include "libcontact/methods/potential.h"
 #include "libcontact/methods/rounded.h"
 #include "libcontact/methods/sat.h"
 #include "libcontact/methods/support_newton.h"
 
 namespace contact {
 
-using Methods = std::tuple<Analytic, PolyhedronPlane, SupportNewton, Sat, Features, Rounded, Planar>;
+using Methods = std::tuple<Analytic, PolyhedronPlane, SupportNewton, Sat, Features, Rounded, Potential, Planar>;
 
 }  // namespace contact

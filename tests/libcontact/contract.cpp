@@ -14,6 +14,7 @@
 #include "shapes/mesh_build.h"
 #include "shapes/polygon_build.h"
 #include "shapes/polyhedron_build.h"
+#include "tests/shapes/potential_samples.h"
 
 namespace {
 
@@ -94,6 +95,10 @@ Body random_body(Kind kind, Draw& draw) {
       b.geometry = &solids()[draw.engine() % solids().size()];
       b.size = {draw.uniform(0.4, 1.2), draw.uniform(0.05, 0.5), 0};
       break;
+    case Kind::potential_particle:
+      b.geometry = &shape_tests::potential_particles()[draw.engine() % shape_tests::potential_particles().size()];
+      b.size = {draw.uniform(0.4, 1.2), 0, 0};
+      break;
     case Kind::disc:
       b.size = {draw.uniform(0.3, 1.5), 0, 0};
       break;
@@ -132,6 +137,8 @@ double circumradius(const Body& b) {
       return b.size.x * static_cast<const shapes::Polyhedron*>(b.geometry)->circumradius;
     case Kind::rounded_polyhedron:
       return b.size.x * static_cast<const shapes::Polyhedron*>(b.geometry)->circumradius + b.size.y;
+    case Kind::potential_particle:
+      return b.size.x * static_cast<const shapes::PotentialParticle*>(b.geometry)->circumradius;
     case Kind::plane:
     case Kind::line:
       return 0;
@@ -168,7 +175,9 @@ Contact run(const MethodInfo& m, const Case& c, const Options& options = {}, Cac
 // The case with A and B exchanged, asked through the door that takes any order.
 Contact run_swapped(const MethodInfo& m, const Case& c) { return query(c.b, c.a, -c.offset, {}, m.name); }
 
-bool sized_by_scale(Kind k) { return k == Kind::polyhedron || k == Kind::polygon || k == Kind::mesh; }
+bool sized_by_scale(Kind k) {
+  return k == Kind::polyhedron || k == Kind::potential_particle || k == Kind::polygon || k == Kind::mesh;
+}
 
 Case scaled_case(Case c, double s) {
   for (Body* b : {&c.a, &c.b}) b->size = sized_by_scale(b->kind) ? Vec3d{b->size.x * s, 0, 0} : b->size * s;
