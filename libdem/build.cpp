@@ -163,7 +163,9 @@ void check_methods(const World& world) {
       if (contact::find(ka, kb, world.scene.method) == nullptr)
         input_error({world.scene.path, 0, 0},
                     "contact.method = \"" + world.scene.method + "\" does not answer the pair " + shapes::name_of(ka) +
-                        "–" + shapes::name_of(kb) + ", which this scene has; allowed: \"auto\", or see dem list pairs");
+                        "–" + shapes::name_of(kb) + ", which this scene has; allowed: " +
+                        (world.scene.method == "auto" ? "kinds that dem list pairs shows an answer for"
+                                                      : "\"auto\", or see dem list pairs"));
     }
 }
 

@@ -61,6 +61,8 @@ double part_extent(const contact::Body& part, const Vec3d& n) {
   if (part.kind == shapes::Kind::sphere) return part.size.x;
   const Vec3d m = transposed_times(part.rotation, n);
   if (part.kind == shapes::Kind::ellipsoid) return norm(scaled(part.size, m));
+  if (part.kind == shapes::Kind::potential_particle)
+    return part.size.x * dot(m, shapes::support(*static_cast<const shapes::PotentialParticle*>(part.geometry), m));
   const double rounding = part.kind == shapes::Kind::rounded_polyhedron ? part.size.y : 0;
   return part.size.x * dot(m, shapes::support(*static_cast<const shapes::Polyhedron*>(part.geometry), m)) + rounding;
 }

@@ -7,6 +7,7 @@
 #include "shapes/geometry.h"
 #include "shapes/polygon_build.h"
 #include "shapes/polyhedron_build.h"
+#include "shapes/potential_build.h"
 
 namespace dem {
 shapes::Polyhedron polyhedron_of(const ShapeSpec& s, shapes::Frame frame) {
@@ -173,6 +174,20 @@ void make_rounded(const ShapeSpec& s, ShapeEntry& e) {
   e.polyhedron = std::make_shared<const shapes::Polyhedron>(std::move(body.core));
 }
 
+void make_potential(const ShapeSpec& s, ShapeEntry& e) {
+  std::vector<shapes::HalfSpace> planes;
+  for (const auto& h : s.half_spaces) planes.push_back({{h[0], h[1], h[2]}, h[3]});
+  shapes::PotentialParticle body = shapes::make_potential_particle(planes, s.k, s.r, s.R, shapes::Frame::principal);
+  if (s.diameter > 0) body = shapes::scaled(body, s.diameter / (2 * shapes::equivalent_radius(body.mass.volume)));
+  e.kind = shapes::Kind::potential_particle;
+  e.size = {1, 1, 1};
+  set_mass_properties(shapes::mass_properties(body), e);
+  e.circumradius = shapes::circumradius(body);
+  e.inscribed_radius = shapes::inscribed_radius(body);
+  e.drawing = std::make_shared<const shapes::Polyhedron>(shapes::drawing_of(body));
+  e.potential = std::make_shared<const shapes::PotentialParticle>(std::move(body));
+}
+
 }  // namespace
 
 ShapeEntry make_shape(const ShapeSpec& s, const Scene& scene) {
@@ -193,6 +208,8 @@ ShapeEntry make_shape(const ShapeSpec& s, const Scene& scene) {
       make_ellipsoid(s.semi_axes, e);
     } else if (s.kind == "clump" || s.kind == "union") {
       make_body_of_parts(s, scene, e);
+    } else if (s.kind == "potential_particle") {
+      make_potential(s, e);
     } else if (s.rounding > 0) {
       make_rounded(s, e);
     } else {

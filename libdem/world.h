@@ -22,10 +22,11 @@ namespace dem {
 struct ShapeEntry {  // a named shape of the scene, at scale 1
   std::string name;
   shapes::Kind kind = shapes::Kind::sphere;
-  std::shared_ptr<const shapes::Polyhedron> polyhedron;  // of polyhedra; of rounded ones the core
-  std::shared_ptr<const shapes::Polygon> polygon;        // kind polygon only; its centroid is the origin
-  std::shared_ptr<const shapes::Polyhedron> drawing;     // of rounded polyhedra and polygons: what pictures show
-  std::shared_ptr<const shapes::Compound> compound;      // kind compound only
+  std::shared_ptr<const shapes::Polyhedron> polyhedron;        // of polyhedra; of rounded ones the core
+  std::shared_ptr<const shapes::Polygon> polygon;              // kind polygon only; its centroid is the origin
+  std::shared_ptr<const shapes::PotentialParticle> potential;  // kind potential_particle only
+  std::shared_ptr<const shapes::Polyhedron> drawing;           // of rounded bodies and polygons: what pictures show
+  std::shared_ptr<const shapes::Compound> compound;            // kind compound only
   // Sphere (r, r, r), ellipsoid semi-axes, rounded polyhedron (1, rounding, 0), others (1, 1, 1).
   Vec3d size{};
   double volume = 0;                              // m³; of a prism: area times thickness
@@ -34,6 +35,7 @@ struct ShapeEntry {  // a named shape of the scene, at scale 1
   Vec3d inertia{};                                // principal, per unit density, m⁵
   double circumradius = 0, inscribed_radius = 0;  // m
   const void* geometry() const {                  // as contact::Body holds it
+    if (potential) return potential.get();
     return polygon ? static_cast<const void*>(polygon.get()) : polyhedron.get();
   }
   // What is drawn, to be scaled by the first component of a body's size; null: round.

@@ -28,6 +28,9 @@ void print_bodies(const World& world) {
     std::string kind = shapes::name_of(s.kind);
     if (s.polyhedron)
       kind += fmt::format(", {} vertices, {} faces", s.polyhedron->vertices.size(), s.polyhedron->faces.size());
+    if (s.potential)
+      kind += fmt::format(", {} planes, k {:.4g}, r {:.4g} m, R {:.4g} m", s.potential->planes.size(), s.potential->k,
+                          s.potential->r, s.potential->R);
     if (s.compound) kind += fmt::format(", {} parts", s.compound->parts.size());
     if (s.polygon) kind += fmt::format(", {} vertices", s.polygon->vertices.size());
     if (s.kind == shapes::Kind::rounded_polyhedron) kind += fmt::format(" rounded by {:.4g} m", s.size.y);

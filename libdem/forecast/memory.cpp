@@ -29,6 +29,8 @@ double geometry_of(const World& world) {
   for (const ShapeEntry& s : world.shapes)
     for (const shapes::Polyhedron* p : {s.polyhedron.get(), s.drawing.get()})
       if (p) sum += static_cast<double>(sizeof *p) + bytes(p->vertices) + bytes(p->faces) + bytes(p->face_vertices);
+  for (const ShapeEntry& s : world.shapes)
+    if (s.potential) sum += static_cast<double>(sizeof *s.potential) + bytes(s.potential->planes);
   for (const ShapeEntry& s : world.shapes) {
     if (!s.compound) continue;
     sum += static_cast<double>(sizeof *s.compound) + bytes(s.compound->parts) + bytes(s.compound->joints);

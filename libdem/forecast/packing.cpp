@@ -11,7 +11,7 @@ namespace {
 
 // How dear a body's contacts are, relative to a sphere's; decides the size of the sample only.
 double dearness(shapes::Kind k) {
-  if (k == shapes::Kind::compound) return 30;
+  if (k == shapes::Kind::compound || k == shapes::Kind::potential_particle) return 30;
   if (is_round(k)) return 1;
   return k == shapes::Kind::ellipse || k == shapes::Kind::ellipsoid ? 4 : 12;
 }

@@ -11,6 +11,7 @@
 #include "libdem/scene/data_files.h"
 #include "libdem/scene/nearest.h"
 #include "libdem/scene/reader.h"
+#include "shapes/potential_particle.h"
 
 namespace dem {
 
@@ -79,23 +80,37 @@ class Rules : RuleContext {
       if (!(ball[3] > 0))
         return wrong("shape", i, "spheres", fmt::format("allowed radius > 0 in [x, y, z, radius], found {}", ball[3]));
     for (const PartSpec& part : s.parts) this->part(i, part);
+    for (const auto& h : s.half_spaces)
+      if (h[0] == 0 && h[1] == 0 && h[2] == 0)
+        return wrong("shape", i, "half_spaces", "a normal must not be the zero vector");
+    if (s.kind == "potential_particle") potential(i);
     if (s.kind != "polyhedron") return;
     if ((s.vertices.empty() ? 0 : 1) + (s.half_spaces.empty() ? 0 : 1) + (s.file.empty() ? 0 : 1) != 1)
       wrong("shape", i, nullptr, fmt::format("\"{}\" needs exactly one of vertices, half_spaces and file", s.name));
     if (!s.vertices.empty() && s.vertices.size() < 4)
       wrong("shape", i, "vertices", fmt::format("a solid needs at least 4 points, found {}", s.vertices.size()));
-    for (const auto& h : s.half_spaces)
-      if (h[0] == 0 && h[1] == 0 && h[2] == 0)
-        return wrong("shape", i, "half_spaces", "a normal must not be the zero vector");
     if (is_shipped(shipped_name(s.file)) && s.diameter == 0)
       wrong("shape", i, "file", "a shipped shape has no size of its own: give shape.diameter (m)");
+  }
+
+  // What the builder would refuse as well, with the place in the file.
+  void potential(std::size_t i) {
+    const ShapeSpec& s = scene.shapes[i];
+    if (s.half_spaces.size() > shapes::PotentialParticle::most_planes)
+      wrong("shape", i, "half_spaces",
+            fmt::format("a potential particle has at most {} planes, found {}", shapes::PotentialParticle::most_planes,
+                        s.half_spaces.size()));
+    for (const auto& h : s.half_spaces)
+      if (!(h[3] > 0))
+        return wrong("shape", i, "half_spaces",
+                     fmt::format("allowed offset > 0 (the origin lies inside a potential particle), found {}", h[3]));
   }
 
   // Parts are simple solids: a body of parts is none, and what lives in the plane neither.
   void part(std::size_t i, const PartSpec& part) {
     for (const ShapeSpec& s : scene.shapes) {
       if (s.name != part.shape) continue;
-      for (const char* kind : {"clump", "union", "disc", "ellipse", "polygon", "regular_polygon"})
+      for (const char* kind : {"clump", "union", "potential_particle", "disc", "ellipse", "polygon", "regular_polygon"})
         if (s.kind == kind)
           return wrong(
               "shape", i, "parts",

@@ -87,7 +87,8 @@ struct PartSpec {
 // semi_axis_b; polygon: vertices in order; regular_polygon: sides, circumradius. polyhedron: vertices, or half_spaces,
 // or file (OFF, OBJ, STL); `diameter` > 0 rescales a polyhedron or clump so that its volume-equivalent sphere has this
 // diameter. `rounding` > 0 rounds edges and corners of all flat-faced kinds of space: the body is every point within
-// this distance of the polyhedron, `diameter` that of the whole.
+// this distance of the polyhedron, `diameter` that of the whole. potential_particle: half_spaces, k, r, R
+// (shapes/potential_particle.h), and `diameter`.
 struct ShapeSpec {
   std::string name, kind;
   double radius = 0;
@@ -100,6 +101,7 @@ struct ShapeSpec {
   std::string file;                                // resolved path
   double diameter = 0;                             // m
   double rounding = 0;                             // m, 0: sharp
+  double k = 0, r = 0, R = 0;                      // potential_particle: –, m, m
   std::vector<std::array<double, 4>> spheres;      // clump: x, y, z, radius, m
   std::string spheres_file;                        // or a CSV file of them, resolved path
   std::vector<PartSpec> parts;                     // union

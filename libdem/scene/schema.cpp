@@ -162,7 +162,7 @@ std::vector<Key> shape_keys() {
   std::vector<std::string> kinds{"sphere",  "ellipsoid",       "disc", "ellipse",
                                  "polygon", "regular_polygon", "box",  "prism"};
   kinds.insert(kinds.end(), platonic.begin(), platonic.end());
-  kinds.insert(kinds.end(), {"polyhedron", "clump", "union"});
+  kinds.insert(kinds.end(), {"polyhedron", "potential_particle", "clump", "union"});
   std::vector<std::string> round{"prism", "regular_polygon"};
   round.insert(round.end(), platonic.begin(), platonic.end());
   std::vector<std::string> flat{"box", "prism"};
@@ -206,8 +206,11 @@ std::vector<Key> shape_keys() {
           "corners in order, [x, y, 0]; it is centred on its centroid.")
           .when("kind", {"polyhedron", "polygon"})
           .must_for({"polygon"}),
-      value<&ShapeSpec::half_spaces>("half_spaces", "m", "Half-spaces n·x <= offset whose intersection is the body.")
-          .when("kind", {"polyhedron"}),
+      value<&ShapeSpec::half_spaces>("half_spaces", "m",
+                                     "Half-spaces n·x <= offset whose intersection is the body; of a "
+                                     "potential particle its planes, about the origin inside.")
+          .when("kind", {"polyhedron", "potential_particle"})
+          .must_for({"potential_particle"}),
       value<&ShapeSpec::file>(
           "file", "",
           "OFF, OBJ or STL file of a closed convex mesh, or a shipped one: grain:NAME, grain-fine:NAME, solid:NAME.")
@@ -216,12 +219,24 @@ std::vector<Key> shape_keys() {
       value<&ShapeSpec::diameter>(
           "diameter", "m", "Rescales the body to the volume of a sphere of this diameter; needed by shipped shapes.")
           .above(0)
-          .when("kind", {"polyhedron", "clump"}),
+          .when("kind", {"polyhedron", "potential_particle", "clump"}),
       value<&ShapeSpec::rounding>("rounding", "m",
                                   "Rounds edges and corners: the body is all that lies within this distance of the "
                                   "polyhedron (shape.diameter is that of the whole).")
           .above(0)
           .when("kind", flat),
+      value<&ShapeSpec::k>("k", "",
+                           "Share of the sphere in (1-k)[sum <a.x-d>^2/r^2 - 1] + k[x^2/R^2 - 1] <= 0: 1 is the "
+                           "sphere, a small one leaves flat faces.")
+          .above(0)
+          .to(1)
+          .when("kind", {"potential_particle"})
+          .must(),
+      value<&ShapeSpec::r>("r", "m", "How far the faces stand out from their planes, which is what rounds the edges.")
+          .above(0)
+          .when("kind", {"potential_particle"})
+          .must(),
+      value<&ShapeSpec::R>("R", "m", "Radius of the sphere.").above(0).when("kind", {"potential_particle"}).must(),
   };
   for (Key& key : part_keys()) keys.push_back(std::move(key));
   return keys;
