@@ -93,9 +93,9 @@ void set_mass(World& world, std::size_t i, double scale) {
   p.angular_momentum[i] = r * shapes::scaled(p.inertia[i], shapes::transposed_times(r, m.spin));
 }
 
-double inscribed_radius(const World& world, std::size_t i) {
+double overlap_radius(const World& world, std::size_t i) {
   const ShapeEntry& s = world.shapes[world.particles.shape[i]];
-  return s.inscribed_radius * (world.particles.motion[i].bounding_radius / s.circumradius);
+  return s.overlap_radius * (world.particles.motion[i].bounding_radius / s.circumradius);
 }
 
 namespace {
@@ -129,8 +129,8 @@ void check_initial_overlap(const World& world, const std::vector<const Where*>& 
   for (std::size_t k = 0; k < c.count(); ++k) {
     if (!c.touching[k]) continue;
     const bool wall = c.key[k].b >= wall_base;
-    double size = inscribed_radius(world, c.index_a[k]);
-    if (!wall) size = std::min(size, inscribed_radius(world, c.index_b[k]));
+    double size = overlap_radius(world, c.index_a[k]);
+    if (!wall) size = std::min(size, overlap_radius(world, c.index_b[k]));
     const double overlap = c.history[k].overlap, allowed = world.scene.run.max_initial_overlap * size;
     if (overlap <= allowed) continue;
     const std::string other = wall ? "wall \"" + world.walls[c.index_b[k]].name + "\""

@@ -45,7 +45,7 @@ Vec3d contact_point(const World& world, std::size_t record);
 // The smallest limit of the contacts as they are now, s; +infinity without contacts.
 double present_limit(const World& world);
 
-double inscribed_radius(const World& world, std::size_t i);
+double overlap_radius(const World& world, std::size_t i);  // ShapeEntry::overlap_radius of a body, m
 // At random in the way of the scene: about z in two dimensions.
 Quatd random_orientation(const World& world, Random& random);
 // Gives bodies their species: those that are in the region, of the material and of the shape, where they are named.

@@ -18,7 +18,8 @@ using shapes::Quatd;
 using shapes::Vec3d;
 
 // Who touches whom: a is a particle; b a particle (by id) or, above wall_base, a wall; part is b's: the mesh facet or
-// the part of a compound; part_a the part of a compound a.
+// the part of a compound; part_a the part of a compound a. A pair that may touch in several regions has
+// contact::max_regions records side by side, part is their number.
 struct Key {
   std::uint64_t a = 0, b = 0;
   std::uint32_t part = 0, part_a = 0;
@@ -30,6 +31,7 @@ inline constexpr std::uint64_t wall_base = std::uint64_t(1) << 63;
 struct Bin {
   shapes::Kind a = shapes::Kind::sphere, b = shapes::Kind::sphere;
   contact::ChunkQuery query = nullptr;  // null: sphere–sphere and sphere–plane, which have kernels of their own
+  bool regions = false;                 // its pairs may touch in several regions
   std::vector<std::uint32_t> records;
   std::vector<std::uint32_t> a_index, b_index, pair;  // of each record: its bodies, its pair of materials; padded by 4
 };

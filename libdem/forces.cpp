@@ -4,8 +4,10 @@
 #include <chrono>
 #include <cmath>
 
+#include "libcontact/methods/polygon_regions.h"
 #include "libdem/force_pass.h"
 #include "libdem/forces_compound.h"
+#include "libdem/regions.h"
 #include "libdem/walls.h"
 
 namespace dem {
@@ -128,6 +130,12 @@ class PairPass : public ForcePass {
     const std::uint32_t* records = &bin.records[first];
     for (std::size_t r = 0; r < count; ++r) {
       const std::size_t k = records[r];
+      if (bin.regions && r % contact::max_regions != 0) {  // one pair, several records
+        s.a[r] = s.a[r - 1];
+        s.b[r] = s.b[r - 1];
+        s.offset[r] = s.offset[r - 1];
+        continue;
+      }
       const std::uint32_t ia = c_.index_a[k], ib = c_.index_b[k];
       s.a[r] = body_of(ia);
       const Vec3d& x = p_.motion[ia].position;
@@ -144,9 +152,15 @@ class PairPass : public ForcePass {
       }
       s.cache[r] = c_.cache[k];
     }
-    bin.query(count, s.a, s.b, s.offset, {.overlap_only = true, .patch = true}, s.cache, s.answer);
     Tally t;
     t.queries = count;
+    if (bin.regions) {
+      for (std::size_t r = 0; r < count; r += contact::max_regions)
+        answer_regions(s.a[r], s.b[r], s.offset[r], &c_.touching[records[r]], &c_.centre[records[r]], s.answer + r);
+      t.queries = count / contact::max_regions;
+    } else {
+      bin.query(count, s.a, s.b, s.offset, {.overlap_only = true, .patch = true}, s.cache, s.answer);
+    }
     std::size_t n = 0;
     for (std::size_t r = 0; r < count; ++r) {
       const std::size_t k = records[r];
@@ -196,7 +210,9 @@ void compute_forces(World& world, int threads, double dt) {
   const auto begin = std::chrono::steady_clock::now();
   const PairPass pass(world, dt);
   const CompoundPass compounds(world, dt);
-  // Tasks of about ten microseconds, the dear ones first, so that threads end together.
+  // Tasks of about ten microseconds, the dear ones first, so that threads end together. The records of one pair are
+  // never parted.
+  static_assert(chunk_size / 2 % contact::max_regions == 0);
   struct Task {
     const Bin* bin;  // null: groups
     std::size_t first, last;

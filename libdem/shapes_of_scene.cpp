@@ -107,23 +107,34 @@ shapes::Polyhedron prism_of(const shapes::Polygon& p) {
     const std::uint32_t j = (i + 1) % n;
     add(p.normals[i], p.offsets[i], {i, j, n + j, n + i});
   }
-  std::vector<std::uint32_t> top(n), bottom(n);
-  for (std::uint32_t i = 0; i < n; ++i) top[i] = n + i, bottom[i] = n - 1 - i;
-  add({0, 0, 1}, half, top);
-  add({0, 0, -1}, half, bottom);
+  for (const shapes::Polygon::Part& part : p.parts) {
+    std::vector<std::uint32_t> top, bottom;
+    for (const Vec3d& v : part.vertices) {
+      top.push_back(static_cast<std::uint32_t>(solid.vertices.size()));
+      bottom.insert(bottom.begin(), top.back() + 1);
+      solid.vertices.push_back({v.x, v.y, half});
+      solid.vertices.push_back({v.x, v.y, -half});
+    }
+    add({0, 0, 1}, half, top);
+    add({0, 0, -1}, half, bottom);
+  }
   solid.circumradius = std::hypot(p.circumradius, half);
   return solid;
 }
 
 // A polygon of the plane: a prism of the scene's thickness h, m = ρ A h, I = ρ h ∫|x|² dA about the centroid.
 void make_polygon(const ShapeSpec& s, const Scene& scene, ShapeEntry& e) {
-  shapes::Polygon p = shapes::centred(s.kind == "polygon" ? shapes::polygon_from_outline(s.vertices)
-                                                          : shapes::make_regular_polygon(s.sides, s.circumradius));
-  if (!p.convex) throw shapes::Error("the polygon is not convex; allowed: convex polygons");
+  shapes::Polygon p =
+      shapes::centred(s.kind == "regular_polygon" ? shapes::make_regular_polygon(s.sides, s.circumradius)
+                      : s.pieces.empty()          ? shapes::polygon_from_outline(s.vertices)
+                                                  : shapes::polygon_from_pieces(s.pieces));
   e.kind = shapes::Kind::polygon;
   e.size = {1, 1, 1};
   e.circumradius = p.circumradius;
   e.inscribed_radius = p.inscribed_radius;
+  // Of a polygon that is not convex 2 A / perimeter, which is the inscribed radius of one whose sides all touch its
+  // circle.
+  if (!p.convex) e.overlap_radius = 2 * p.area / shapes::perimeter(p);
   e.equivalent_radius = std::sqrt(p.area / std::numbers::pi);
   e.volume = p.area * scene.thickness;
   e.mass_power = 2;
@@ -218,6 +229,7 @@ ShapeEntry make_shape(const ShapeSpec& s, const Scene& scene) {
   } catch (const shapes::Error& error) {
     input_error(s.where, "shape \"" + s.name + "\": " + error.what());
   }
+  if (e.overlap_radius == 0) e.overlap_radius = e.inscribed_radius;
   return e;
 }
 

@@ -34,12 +34,14 @@ struct ShapeEntry {  // a named shape of the scene, at scale 1
   double equivalent_radius = 0;                   // m, of the sphere of equal volume; of a prism: disc of equal area
   Vec3d inertia{};                                // principal, per unit density, m⁵
   double circumradius = 0, inscribed_radius = 0;  // m
+  double overlap_radius = 0;                      // m, by which overlaps at the start are judged
   const void* geometry() const {                  // as contact::Body holds it
     if (potential) return potential.get();
     return polygon ? static_cast<const void*>(polygon.get()) : polyhedron.get();
   }
   // What is drawn, to be scaled by the first component of a body's size; null: round.
   const shapes::Polyhedron* drawn() const { return drawing ? drawing.get() : polyhedron.get(); }
+  bool meets_in_regions() const { return polygon && !polygon->convex; }
 };
 
 struct Wall {

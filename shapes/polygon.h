@@ -1,7 +1,12 @@
 // Simple polygon, convex or not, in the plane z = 0 of its body frame. Canonical: counter-clockwise, first the vertex
 // of lowest (x, y), no vertex on the line through its neighbours. Built by shapes/polygon_build.h.
+//
+// A polygon that is not convex is cut into convex parts, from every reflex corner along its bisector to the first wall
+// or earlier cut (shapes/polygon_parts.h). The cuts follow from the outline alone: however a body was put together, it
+// is the same body. What is an edge of the outline and what is a cut stays known.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "shapes/math/vec.h"
@@ -10,9 +15,27 @@ namespace shapes {
 
 struct Polygon {
   static constexpr const char* name = "polygon";
+  static constexpr std::uint32_t none = 0xffffffffu;
+
+  struct Part {                       // convex, counter-clockwise; side k runs from vertex k to vertex k + 1
+    std::vector<Vec3d> vertices;      // m
+    std::vector<Vec3d> normals;       // unit, outward
+    std::vector<double> offsets;      // m
+    std::vector<std::uint32_t> edge;  // of the outline, that side k lies on; none: a cut
+    Vec3d centre;                     // of a circle about the part, m
+    double radius = 0;                // of that circle, m
+  };
+  struct Seam {  // where two parts meet along a cut
+    std::uint32_t part[2];
+    Vec3d end[2];             // m
+    std::uint32_t corner[2];  // reflex corners of the outline at the ends of the whole cut; the second may be none
+  };
+
   std::vector<Vec3d> vertices;  // m, counter-clockwise, z = 0
   std::vector<Vec3d> normals;   // unit, outward, of the edge from vertex i to vertex i + 1
   std::vector<double> offsets;  // m, normals[i]·x = offsets[i] on edge i
+  std::vector<Part> parts;      // one, the polygon itself, when it is convex
+  std::vector<Seam> seams;
   double area = 0;              // m²
   Vec3d centroid{};             // m
   double second_moment = 0;     // ∫|x − centroid|² dA, m⁴

@@ -6,6 +6,7 @@
 
 #include "shapes/convex.h"
 #include "shapes/math/trig.h"
+#include "shapes/polygon_parts.h"
 #include "shapes/polyhedron_build.h"
 
 namespace shapes {
@@ -59,6 +60,31 @@ void drop_idle_vertices(std::vector<Vec3d>& v) {
   }
 }
 
+// Every length times 2^exponent.
+void to_units(Polygon& p, int exponent) {
+  const auto points = [&](std::vector<Vec3d>& list) {
+    for (Vec3d& x : list) x = convex::times_two_to(x, exponent);
+  };
+  const auto lengths = [&](std::vector<double>& list) {
+    for (double& x : list) x = std::ldexp(x, exponent);
+  };
+  points(p.vertices);
+  lengths(p.offsets);
+  for (Polygon::Part& part : p.parts) {
+    points(part.vertices);
+    lengths(part.offsets);
+    part.centre = convex::times_two_to(part.centre, exponent);
+    part.radius = std::ldexp(part.radius, exponent);
+  }
+  for (Polygon::Seam& seam : p.seams)
+    for (Vec3d& x : seam.end) x = convex::times_two_to(x, exponent);
+  p.area = std::ldexp(p.area, 2 * exponent);
+  p.centroid = convex::times_two_to(p.centroid, exponent);
+  p.second_moment = std::ldexp(p.second_moment, 4 * exponent);
+  p.circumradius = std::ldexp(p.circumradius, exponent);
+  p.inscribed_radius = std::ldexp(p.inscribed_radius, exponent);
+}
+
 Polygon finish(std::vector<Vec3d> v, int exponent) {
   drop_idle_vertices(v);
   const std::size_t n = v.size();
@@ -93,17 +119,17 @@ Polygon finish(std::vector<Vec3d> v, int exponent) {
     moment += convex::accurate_cross(x, y).z * (dot(x, x) + dot(x, y) + dot(y, y)) / 12;
     const Vec3d normal = convex::unit({along.y, -along.x, 0});
     p.normals.push_back(normal);
-    p.offsets.push_back(std::ldexp(0.5 * (dot(normal, a) + dot(normal, b)), exponent));
+    p.offsets.push_back(0.5 * (dot(normal, a) + dot(normal, b)));
     p.convex = p.convex && area_of(a, b, c) > 0;
     p.circumradius = std::max(p.circumradius, norm(a));
   }
-  p.area = std::ldexp(area, 2 * exponent);
-  p.centroid = convex::times_two_to(centre, exponent);
-  p.second_moment = std::ldexp(moment, 4 * exponent);
-  p.circumradius = std::ldexp(p.circumradius, exponent);
+  p.area = area;
+  p.centroid = centre;
+  p.second_moment = moment;
   if (p.convex) p.inscribed_radius = *std::min_element(p.offsets.begin(), p.offsets.end());
-  for (Vec3d& x : v) x = convex::times_two_to(x, exponent);
   p.vertices = std::move(v);
+  cut_into_parts(p);
+  to_units(p, exponent);
   return p;
 }
 
@@ -148,6 +174,13 @@ Polygon centred(const Polygon& p) {
   std::vector<Vec3d> v;
   for (const Vec3d& x : p.vertices) v.push_back(x - p.centroid);
   return polygon_from_outline(v);
+}
+
+double perimeter(const Polygon& p) {
+  double sum = 0;
+  for (std::size_t i = 0; i < p.vertices.size(); ++i)
+    sum += convex::safe_norm(p.vertices[(i + 1) % p.vertices.size()] - p.vertices[i]);
+  return sum;
 }
 
 }  // namespace shapes

@@ -10,8 +10,9 @@
 // itself: the centroid of its area and its spread along the edge are the patch.
 //
 // Disc and ellipse against disc and line, and disc against ellipse, are the sections of their counterparts in space by
-// their plane of symmetry, in which the nearest points lie. Polygons that are not convex are refused. Cost: polygons
-// n_A·n_B. Accuracy: 32 eps L, certified; two ellipses that overlap by more than m: best of 18 starts, not certified.
+// their plane of symmetry, in which the nearest points lie. Of a polygon that is not convex: apart, the nearest of its
+// convex parts; overlapping, the deepest of the regions of polygon_regions.h. Cost: polygons n_A·n_B. Accuracy: 32 eps
+// L, certified; two ellipses that overlap by more than m: best of 18 starts, not certified.
 // Tests: tests/libcontact/contract.cpp, tests/program/contact_cases.cpp.
 #pragma once
 

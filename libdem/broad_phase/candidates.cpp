@@ -4,6 +4,7 @@
 #include <chrono>
 #include <tuple>
 
+#include "libcontact/methods/polygon_regions.h"
 #include "libdem/broad_phase/cells.h"
 #include "libdem/broad_phase/part_candidates.h"
 
@@ -18,8 +19,26 @@ double reach_of(const World& world) {
   return 2 * largest + world.skin;
 }
 
+// Per shape: its pairs may touch in several regions and have as many records. Empty when there is no such shape.
+std::vector<char> shapes_with_regions(const World& world) {
+  std::vector<char> marks;
+  bool any = false;
+  for (const ShapeEntry& s : world.shapes) {
+    marks.push_back(s.meets_in_regions() ? 1 : 0);
+    any = any || s.meets_in_regions();
+  }
+  return any ? marks : std::vector<char>{};
+}
+
+void add_records(Candidate record, bool regions, std::vector<Candidate>& row) {
+  for (std::uint32_t slot = 0; slot < (regions ? contact::max_regions : 1); ++slot) {
+    record.key.part = slot;
+    row.push_back(record);
+  }
+}
+
 // The walls and facets near a particle go to the end of its row, in order of wall and facet.
-void wall_candidates(const World& world, std::size_t i, const std::vector<shapes::Mat3d>& frames,
+void wall_candidates(const World& world, std::size_t i, const std::vector<shapes::Mat3d>& frames, bool regions,
                      std::vector<Candidate>& row) {
   const Motion& m = world.particles.motion[i];
   const double reach = m.bounding_radius + world.skin;
@@ -35,12 +54,12 @@ void wall_candidates(const World& world, std::size_t i, const std::vector<shapes
         {world.particles.id[i], wall_base + w}, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(w)};
     if (is_half_space(wall.kind)) {
       const Vec3d normal = frames[w].column(wall.kind == shapes::Kind::plane ? 2 : 1);
-      if (dot(normal, d) < reach) row.push_back(record);
+      if (dot(normal, d) < reach) add_records(record, regions, row);
       continue;
     }
     const Vec3d x = transposed_times(frames[w], d);
     if (wall.polygon) {
-      if (near_polygon(*wall.polygon, x, reach)) row.push_back(record);
+      if (near_polygon(*wall.polygon, x, reach)) add_records(record, regions, row);
       continue;
     }
     for (std::size_t f = 0; f < wall.mesh->facets.size(); ++f) {
@@ -60,6 +79,8 @@ void particle_pairs(const World& world, int threads, Rows& rows) {
       n, [&](std::size_t i) -> const Vec3d& { return p.motion[i].position; }, reach_of(world), world.cell);
   std::vector<shapes::Mat3d> frames;
   for (const Wall& w : world.walls) frames.push_back(shapes::rotation_matrix(w.orientation));
+  const std::vector<char> regions = shapes_with_regions(world);
+  const auto in_regions = [&](std::size_t i) { return !regions.empty() && regions[p.shape[i]] != 0; };
   const std::size_t block = 256, blocks = (n + block - 1) / block;
   rows.resize(blocks);
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
@@ -82,9 +103,9 @@ void particle_pairs(const World& world, int threads, Rows& rows) {
           continue;
         }
         const bool swap = p.kind[j] < p.kind[i];
-        rows[r].push_back({{p.id[i], p.id[j]}, swap ? j : a, swap ? a : j});
+        add_records({{p.id[i], p.id[j]}, swap ? j : a, swap ? a : j}, in_regions(i) || in_regions(j), rows[r]);
       }
-      wall_candidates(world, i, frames, rows[r]);
+      wall_candidates(world, i, frames, in_regions(i), rows[r]);
     }
   }
 }
@@ -148,20 +169,24 @@ void fill_bins(World& world) {
   Contacts& c = world.contacts;
   const Particles& p = world.particles;
   c.bins.clear();
-  std::array<int, shapes::kind_count * shapes::kind_count> bin_of;
+  std::array<int, 2 * shapes::kind_count * shapes::kind_count> bin_of;
   bin_of.fill(-1);
+  const std::vector<char> in_regions = shapes_with_regions(world);
   bool all_spheres = true;
   for (std::size_t k = 0; k < c.count(); ++k) {
     const bool wall = c.key[k].b >= wall_base;
     const shapes::Kind a = p.kind[c.index_a[k]];
     const shapes::Kind b = wall ? world.walls[c.index_b[k]].kind : p.kind[c.index_b[k]];
     if (a == shapes::Kind::compound || b == shapes::Kind::compound) continue;
-    int& bin = bin_of[static_cast<std::size_t>(a) * shapes::kind_count + static_cast<std::size_t>(b)];
+    const bool regions = !in_regions.empty() &&
+                         (in_regions[p.shape[c.index_a[k]]] != 0 || (!wall && in_regions[p.shape[c.index_b[k]]] != 0));
+    const std::size_t set = static_cast<std::size_t>(a) + (regions ? shapes::kind_count : 0);
+    int& bin = bin_of[set * shapes::kind_count + static_cast<std::size_t>(b)];
     if (bin < 0) {
       bin = static_cast<int>(c.bins.size());
       const bool closed = is_round(a) && (is_round(b) || is_half_space(b));
       all_spheres = all_spheres && closed;
-      c.bins.push_back({a, b, closed ? nullptr : contact::find(a, b, world.scene.method), {}, {}, {}, {}});
+      c.bins.push_back({a, b, closed ? nullptr : contact::find(a, b, world.scene.method), regions, {}, {}, {}, {}});
     }
     const std::uint32_t material_b = wall ? world.walls[c.index_b[k]].material : p.material[c.index_b[k]];
     Bin& list = c.bins[static_cast<std::size_t>(bin)];
@@ -245,6 +270,7 @@ void rebuild_candidates(World& world, int threads) {
   c.touching.resize(total);
   c.slot.resize(total);
   std::vector<contact::Cache> cache(total);
+  std::vector<Vec3d> centre(old.centre.empty() ? 0 : total);  // regions are known again by theirs
   std::size_t k = 0, o = 0;
   for (const auto& block : rows)
     for (const Candidate& record : block) {
@@ -257,11 +283,15 @@ void rebuild_candidates(World& world, int threads) {
         c.history[k] = old.history[o];
         c.touching[k] = old.touching[o];
         if (!old.cache.empty()) cache[k] = old.cache[o];
+        if (!old.centre.empty()) centre[k] = old.centre[o];
       }
       ++k;
     }
   fill_bins(world);
-  if (!c.centre.empty()) c.cache = std::move(cache);
+  if (!c.centre.empty()) {
+    c.cache = std::move(cache);
+    if (!centre.empty()) c.centre = std::move(centre);
+  }
   index_by_particle(world);
   c.reference.resize(p.count());
   for (std::size_t i = 0; i < p.count(); ++i) c.reference[i] = p.motion[i].position;

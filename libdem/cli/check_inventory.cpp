@@ -33,6 +33,7 @@ void print_bodies(const World& world) {
                           s.potential->r, s.potential->R);
     if (s.compound) kind += fmt::format(", {} parts", s.compound->parts.size());
     if (s.polygon) kind += fmt::format(", {} vertices", s.polygon->vertices.size());
+    if (s.meets_in_regions()) kind += fmt::format(", not convex: {} convex parts", s.polygon->parts.size());
     if (s.kind == shapes::Kind::rounded_polyhedron) kind += fmt::format(" rounded by {:.4g} m", s.size.y);
     line(s.name, fmt::format("{} of {} ({})", count, world.scene.materials[group.second].name, kind));
   }

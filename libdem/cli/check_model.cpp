@@ -7,6 +7,7 @@
 #include <set>
 
 #include "libcontact/dispatch.h"
+#include "libcontact/methods/polygon_regions.h"
 #include "libdem/cli/check_parts.h"
 #include "libdem/parts.h"
 #include "libdem/render/render.h"
@@ -99,6 +100,11 @@ void print_law(const World& world) {
   const auto& bodies_of = world.particles.kind;
   if (std::find(bodies_of.begin(), bodies_of.end(), shapes::Kind::compound) != bodies_of.end())
     line("parts", "on: contacts of parts that join share one stiffness and one history; inner faces give none");
+  const bool regions = std::any_of(world.particles.shape.begin(), world.particles.shape.end(),
+                                   [&](std::uint32_t shape) { return world.shapes[shape].meets_in_regions(); });
+  if (regions)
+    line("regions", fmt::format("on: polygons that are not convex touch in up to {} places of a pair; cuts give none",
+                                contact::max_regions));
 }
 
 // What some scenes need and the format may not have. Asked of the format, so that a line goes when a key comes.

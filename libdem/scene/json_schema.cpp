@@ -72,6 +72,8 @@ Json value_schema(const Key& key, const std::string& path, bool complete) {
       return list_of(number, 4, 4);
     case KeyType::vectors:
       return list_of(list_of(number, 3, 3), 1);
+    case KeyType::outlines:
+      return list_of(list_of(list_of(number, 3, 3), 1), 1);
     case KeyType::planes:
       return list_of(list_of(number, 4, 4), 1);
     case KeyType::pairs:

@@ -24,9 +24,9 @@ class PlanarRules {
   void check() {
     for (std::size_t i = 0; i < scene_.shapes.size(); ++i) kind("shape", i, scene_.shapes[i].kind);
     for (std::size_t i = 0; i < scene_.shapes.size(); ++i)
-      if (scene_.shapes[i].kind == "polygon") outline("shape", i, scene_.shapes[i].vertices);
+      if (scene_.shapes[i].kind == "polygon") outline(i);
     for (std::size_t i = 0; i < scene_.walls.size(); ++i)
-      if (scene_.walls[i].kind == "polygon") outline("wall", i, scene_.walls[i].vertices);
+      if (scene_.walls[i].kind == "polygon") corners("wall", i, "vertices", scene_.walls[i].vertices, "");
     for (std::size_t i = 0; i < scene_.walls.size(); ++i) kind("wall", i, scene_.walls[i].kind);
     mass();
     if (!planar_) return;
@@ -86,12 +86,24 @@ class PlanarRules {
                   : "is for 2-D scenes: set world.dimension = 2");
   }
 
-  void outline(const char* table, std::size_t i, const std::vector<Vec3d>& vertices) {
-    if (vertices.size() < 3)
-      return wrong(table, i, "vertices", fmt::format("a polygon needs at least 3, found {}", vertices.size()));
-    for (std::size_t k = 0; k < vertices.size(); ++k)
-      if (vertices[k].z != 0)
-        return wrong(table, i, "vertices", fmt::format("z of vertex {} must be 0: {}", k, planar_note));
+  void outline(std::size_t i) {
+    const ShapeSpec& s = scene_.shapes[i];
+    if (s.kind != "polygon") return;
+    if (s.vertices.empty() == s.pieces.empty())
+      return wrong("shape", i, s.vertices.empty() ? "kind" : "pieces",
+                   fmt::format("\"{}\" needs either vertices or pieces", s.name));
+    if (s.pieces.empty()) corners("shape", i, "vertices", s.vertices, "");
+    for (std::size_t k = 0; k < s.pieces.size(); ++k)
+      corners("shape", i, "pieces", s.pieces[k], fmt::format(" of piece {}", k));
+  }
+
+  void corners(const char* table, std::size_t i, const char* key, const std::vector<Vec3d>& list,
+               const std::string& of) {
+    if (list.size() < 3)
+      return wrong(table, i, key, fmt::format("at least 3 vertices are needed{}, found {}", of, list.size()));
+    for (std::size_t k = 0; k < list.size(); ++k)
+      if (list[k].z != 0)
+        return wrong(table, i, key, fmt::format("z of vertex {}{} must be 0: {}", k, of, planar_note));
   }
 
   void mass() {

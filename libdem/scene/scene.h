@@ -84,10 +84,10 @@ struct PartSpec {
 
 // sphere: radius. ellipsoid: semi_axes. box: extents. prism: sides, circumradius, height. tetrahedron … icosahedron:
 // circumradius. clump: spheres, or spheres_file. union: parts. In the plane: disc: radius; ellipse: semi_axis_a,
-// semi_axis_b; polygon: vertices in order; regular_polygon: sides, circumradius. polyhedron: vertices, or half_spaces,
-// or file (OFF, OBJ, STL); `diameter` > 0 rescales a polyhedron or clump so that its volume-equivalent sphere has this
-// diameter. `rounding` > 0 rounds edges and corners of all flat-faced kinds of space: the body is every point within
-// this distance of the polyhedron, `diameter` that of the whole. potential_particle: half_spaces, k, r, R
+// semi_axis_b; polygon: vertices in order, or pieces; regular_polygon: sides, circumradius. polyhedron: vertices, or
+// half_spaces, or file (OFF, OBJ, STL); `diameter` > 0 rescales a polyhedron or clump so that its volume-equivalent
+// sphere has this diameter. `rounding` > 0 rounds edges and corners of all flat-faced kinds of space: the body is every
+// point within this distance of the polyhedron, `diameter` that of the whole. potential_particle: half_spaces, k, r, R
 // (shapes/potential_particle.h), and `diameter`.
 struct ShapeSpec {
   std::string name, kind;
@@ -97,6 +97,7 @@ struct ShapeSpec {
   int sides = 0;
   double circumradius = 0, height = 0;
   std::vector<Vec3d> vertices;
+  std::vector<std::vector<Vec3d>> pieces;          // polygon: outlines that are welded into one
   std::vector<std::array<double, 4>> half_spaces;  // nx, ny, nz, offset
   std::string file;                                // resolved path
   double diameter = 0;                             // m

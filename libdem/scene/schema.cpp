@@ -204,8 +204,11 @@ std::vector<Key> shape_keys() {
           "vertices", "m",
           "Polyhedron: points whose convex hull is the body; give this, half_spaces or file. Polygon: its "
           "corners in order, [x, y, 0]; it is centred on its centroid.")
-          .when("kind", {"polyhedron", "polygon"})
-          .must_for({"polygon"}),
+          .when("kind", {"polyhedron", "polygon"}),
+      value<&ShapeSpec::pieces>("pieces", "m",
+                                "In place of a polygon's vertices: outlines [[x, y, 0], …] of pieces that share edges, "
+                                "welded into one body; how it was cut does not matter.")
+          .when("kind", {"polygon"}),
       value<&ShapeSpec::half_spaces>("half_spaces", "m",
                                      "Half-spaces n·x <= offset whose intersection is the body; of a "
                                      "potential particle its planes, about the origin inside.")

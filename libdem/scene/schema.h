@@ -25,6 +25,7 @@ enum class KeyType {
   vector,           // [x, y, z]
   quaternion,       // [w, x, y, z]
   vectors,          // list of [x, y, z]
+  outlines,         // list of lists of [x, y, z]
   planes,           // list of [nx, ny, nz, offset]
   triangles,        // list of [i, j, k]
   pairs,            // list of [x, y]

@@ -77,6 +77,8 @@ constexpr KeyType type_of() {
     return KeyType::quaternion;
   else if constexpr (std::is_same_v<T, std::vector<Vec3d>>)
     return KeyType::vectors;
+  else if constexpr (std::is_same_v<T, std::vector<std::vector<Vec3d>>>)
+    return KeyType::outlines;
   else if constexpr (std::is_same_v<T, std::vector<std::array<double, 4>>>)
     return KeyType::planes;
   else if constexpr (std::is_same_v<T, std::vector<std::array<std::uint32_t, 3>>>)

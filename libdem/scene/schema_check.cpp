@@ -33,6 +33,8 @@ const char* name_of(KeyType type) {
       return "a list of 4 numbers w, x, y, z";
     case KeyType::vectors:
       return "a list of lists of 3 numbers";
+    case KeyType::outlines:
+      return "a list of outlines, each a list of lists of 3 numbers";
     case KeyType::planes:
       return "a list of lists of 4 numbers";
     case KeyType::triangles:
@@ -197,6 +199,12 @@ Fault fault(const Key& key, const std::string& path, const Node& n) {
       return quaternion_fault(key, path, n);
     case KeyType::vectors:
       return lists_fault(key, path, n, 3, false);
+    case KeyType::outlines:
+      if (n.kind != Node::Kind::array) return {fmt::format("needs {}, found {}", name_of(key.type), found(n)), &n};
+      if (n.items.empty()) return {"is empty", &n};
+      for (const Node& item : n.items)
+        if (Fault f = lists_fault(key, path, item, 3, false)) return f;
+      return {};
     case KeyType::planes:
       return lists_fault(key, path, n, 4, false);
     case KeyType::triangles:

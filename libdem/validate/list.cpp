@@ -2,7 +2,7 @@
 
 namespace dem::validate {
 
-extern const Validation two_bodies, box_stack, vibrated_bed, triaxial_fcc, biaxial_2d, silo, hopper_slot, drum,
+extern const Validation two_bodies, box_stack, vibrated_bed, triaxial_fcc, biaxial_2d, silo, hopper_slot, drum, pile_2d,
     isotropic_periodic, direct_shear;
 
 const std::vector<const Validation*>& validations() {
@@ -15,6 +15,7 @@ const std::vector<const Validation*>& validations() {
       &silo,                //
       &hopper_slot,         //
       &drum,                //
+      &pile_2d,             //
       &isotropic_periodic,  //
       &direct_shear,        //
   };

@@ -4,76 +4,27 @@
 
 #include <cmath>
 
-#include "tests/libdem/scenes_in_code.h"
+#include "tests/libdem/scenes_planar.h"
 
 namespace dem {
 namespace {
 
-ShapeSpec polygon(const std::string& name, const std::vector<Vec3d>& corners) {
-  ShapeSpec s;
-  s.name = name;
-  s.kind = "polygon";
-  s.vertices = corners;
-  return s;
-}
+using scenes::line;
+using scenes::plane_scene;
+using scenes::polygon;
 
-ShapeSpec regular(const std::string& name, int sides, double circumradius) {
-  ShapeSpec s;
-  s.name = name;
-  s.kind = "regular_polygon";
-  s.sides = sides;
-  s.circumradius = circumradius;
-  return s;
-}
-
-WallSpec line(const std::string& name, const Vec3d& point, const Vec3d& normal) {
-  WallSpec w = scenes::plane(name, "soft", point, normal);
-  w.kind = "line";
-  return w;
-}
-
-Scene plane_scene(double restitution = 0.4, double friction = 0.4) {
-  Scene s;
-  s.dimension = 2;
-  s.thickness = 0.01;
-  s.law.name = LawName::spring_dashpot;
-  s.gravity = {0, -9.81, 0};
-  s.run.steps = 1000;
-  MaterialSpec m = scenes::material("soft", 0, 2500, restitution, friction);
-  m.stiffness = 2e4;
-  s.materials = {m};
-  return s;
-}
-
-// Discs, ellipses and polygons that fall and roll together in a tray.
 Scene tray() {
-  Scene s = plane_scene();
-  s.gravity = {60, -250, 0};
-  s.run.dt_fraction = 0.3;
-  ShapeSpec disc = scenes::sphere("disc", 0.005), ellipse;
-  disc.kind = "disc";
-  ellipse.name = "egg";
-  ellipse.kind = "ellipse";
-  ellipse.semi_axis_a = 0.004;
-  ellipse.semi_axis_b = 0.007;
-  s.shapes = {disc, ellipse, regular("five", 5, 0.006),
-              polygon("brick", {{0, 0, 0}, {0.014, 0, 0}, {0.014, 0.006, 0}, {0, 0.006, 0}}),
-              polygon("wedge", {{1, 1, 0}, {1.015, 1.002, 0}, {1.003, 1.01, 0}})};
-  s.walls = {line("floor", {0, 0, 0}, {0, 1, 0}), line("left", {-0.06, 0, 0}, {1, 0.1, 0}),
-             line("right", {0.06, 0, 0}, {-1, 0.3, 0})};
-  FillSpec fill;
-  fill.lower = {-0.05, 0.001, 0};
-  fill.upper = {0.05, 0.1, 0};
-  fill.count = 40;
-  fill.velocity = {1, -4, 0};
-  for (const ShapeSpec& shape : s.shapes) fill.items.push_back({shape.name, "soft", 1, 0.6, 0.8});
-  s.fills = {fill};
-  return s;
+  return scenes::planar_tray(
+      {scenes::disc("disc", 0.005), scenes::ellipse("egg", 0.004, 0.007), scenes::regular_polygon("five", 5, 0.006),
+       polygon("brick", {{0, 0, 0}, {0.014, 0, 0}, {0.014, 0.006, 0}, {0, 0.006, 0}}),
+       polygon("wedge", {{1, 1, 0}, {1.015, 1.002, 0}, {1.003, 1.01, 0}})},
+      40);
 }
 
 TEST(Polygons, HaveTheMassOfPrismsAboutTheirCentroid) {
   Scene s = plane_scene();
-  s.shapes = {polygon("brick", {{3, 1, 0}, {3.02, 1, 0}, {3.02, 1.01, 0}, {3, 1.01, 0}}), regular("hexagon", 6, 0.01)};
+  s.shapes = {polygon("brick", {{3, 1, 0}, {3.02, 1, 0}, {3.02, 1.01, 0}, {3, 1.01, 0}}),
+              scenes::regular_polygon("hexagon", 6, 0.01)};
   s.bodies = {scenes::body("brick", "soft", {0, 1, 0}), scenes::body("hexagon", "soft", {1, 1, 0})};
   s.bodies[1].scale = 2;
   const World w = build_world(s);
@@ -142,28 +93,14 @@ TEST(Polygons, SameBitsForThreadsSkinsAndResume) {
 
 // Lengths times 2^10, masses times 2^6, times times 2^3: every number scales exactly.
 TEST(Polygons, UnitsScaleBitForBit) {
-  const Scene s = tray();
-  Scene t = s;
-  const double length = 0x1p10, mass = 0x1p6, time = 0x1p3;
-  t.thickness *= length;
-  t.gravity = t.gravity * (length / (time * time));
-  t.materials[0].density *= mass / (length * length * length);
-  t.materials[0].stiffness *= mass / (time * time);
-  for (ShapeSpec& shape : t.shapes) {
-    for (double* x : {&shape.radius, &shape.semi_axis_a, &shape.semi_axis_b, &shape.circumradius}) *x *= length;
-    for (Vec3d& v : shape.vertices) v *= length;
-  }
-  for (WallSpec& w : t.walls) w.point = w.point * length;
-  t.fills[0].lower *= length;
-  t.fills[0].upper *= length;
-  t.fills[0].velocity *= length / time;
+  const Scene s = tray(), t = scenes::planar_restated(s, 10, 6, 3);
   const World a = scenes::run(s, 1000), b = scenes::run(t, 1000);
   EXPECT_GT(a.counters.contact_steps, 10000u);
   EXPECT_EQ(a.counters.contact_steps, b.counters.contact_steps);
   for (std::uint64_t id = 0; id < a.particles.count(); ++id) {
     const Motion &x = scenes::motion(a, id), &y = scenes::motion(b, id);
-    EXPECT_TRUE(x.position * length == y.position) << id;
-    EXPECT_EQ(x.spin.z / time, y.spin.z) << id;
+    EXPECT_TRUE(x.position * 0x1p10 == y.position) << id;
+    EXPECT_EQ(x.spin.z / 0x1p3, y.spin.z) << id;
   }
 }
 

@@ -1,0 +1,250 @@
+#include "libcontact/methods/polygon_regions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "libcontact/methods/polygon_regions_smooth.h"
+#include "libcontact/methods/region_parts.h"
+
+namespace contact {
+
+namespace {
+
+using shapes::Kind;
+using shapes::Polygon;
+using Part = Polygon::Part;
+
+// Sides of a piece: 2 · edge of a's outline, 2 · edge + 1 of b's; a cut has no number.
+std::uint32_t number_of(std::uint32_t edge, bool of_b) { return edge == no_edge ? no_edge : 2 * edge + (of_b ? 1 : 0); }
+
+// A part of a against a part of b.
+struct Piece {
+  std::uint32_t part_a, part_b;
+  std::uint32_t first, count;  // corners
+};
+
+class PolygonPair {
+ public:
+  PolygonPair(const PartsView& a, const PartsView& b, double size) : a_(a), b_(b), size_(size) {}
+
+  void find(const Options& options, RegionList& list) {
+    clip_parts();
+    if (pieces_.size() == 0) return;
+    blocked_a_ = a_.blocked([&](const Vec3d& x) { return b_.holds(x); });
+    blocked_b_ = b_.blocked([&](const Vec3d& x) { return a_.holds(x); });
+    join();
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i)
+      if (groups_.of(i) == i) answer(i, options, list);
+  }
+
+ private:
+  void clip_parts() {
+    const double margin = planar_half_width * size_;
+    for (std::uint32_t i = 0; i < a_.count(); ++i) {
+      const Part& p = a_.part(i);
+      const Vec3d centre = a_.place.point(p.centre);
+      const double radius = a_.place.scale * p.radius;
+      for (std::uint32_t j = 0; j < b_.count(); ++j)
+        if (b_.near(j, centre, radius, margin)) clip(i, j);
+    }
+  }
+
+  void clip(std::uint32_t i, std::uint32_t j) {
+    const Part &p = a_.part(i), &q = b_.part(j);
+    Corners buffer[2], *region = buffer, *other = buffer + 1;
+    for (std::size_t k = 0; k < p.vertices.size(); ++k)
+      region->push_back({a_.place.point(p.vertices[k]), number_of(p.edge[k], false)});
+    for (std::size_t k = 0; k < q.normals.size(); ++k) {
+      const Vec3d n = b_.normal(q, k);
+      cut(*region, n, b_.height(q, k, n), number_of(q.edge[k], true), *other);
+      std::swap(region, other);
+      if (region->size() < 3) return;
+    }
+    const auto first = static_cast<std::uint32_t>(corners_.size());
+    for (const Corner& c : *region) corners_.push_back(c);
+    pieces_.push_back({i, j, first, static_cast<std::uint32_t>(region->size())});
+    groups_.add();
+  }
+
+  // The piece of two parts; pieces_.size() when they do not overlap.
+  std::uint32_t piece(std::uint32_t part_a, std::uint32_t part_b) const {
+    std::uint32_t i = 0;
+    while (i < pieces_.size() && !(pieces_[i].part_a == part_a && pieces_[i].part_b == part_b)) ++i;
+    return i;
+  }
+
+  // A seam of one body passes through a part of the other; with a margin, so that rounding never parts a region.
+  bool crosses(const PartsView& of, const Polygon::Seam& seam, const PartsView& other, std::size_t part) const {
+    const Vec3d p = of.place.point(seam.end[0]), q = of.place.point(seam.end[1]);
+    double from = 0, to = 1;
+    const Part& shape = other.part(part);
+    for (std::size_t k = 0; k < shape.normals.size(); ++k) {
+      const Vec3d n = other.normal(shape, k);
+      const double h = other.height(shape, k, n) + planar_half_width * size_;
+      const double hp = dot(n, p) - h, hq = dot(n, q) - h;
+      if (hp > 0 && hq > 0) return false;
+      if (hp > 0) from = std::max(from, hp / (hp - hq));
+      if (hq > 0) to = std::min(to, hp / (hp - hq));
+    }
+    return from <= to;
+  }
+
+  void join() {
+    for (std::size_t s = 0; s < a_.shape.seams.size(); ++s) {
+      const Polygon::Seam& seam = a_.shape.seams[s];
+      for (std::uint32_t j = 0; j < b_.count() && !blocked_a_[s]; ++j)
+        join(piece(seam.part[0], j), piece(seam.part[1], j), [&] { return crosses(a_, seam, b_, j); });
+    }
+    for (std::size_t s = 0; s < b_.shape.seams.size(); ++s) {
+      const Polygon::Seam& seam = b_.shape.seams[s];
+      for (std::uint32_t i = 0; i < a_.count() && !blocked_b_[s]; ++i)
+        join(piece(i, seam.part[0]), piece(i, seam.part[1]), [&] { return crosses(b_, seam, a_, i); });
+    }
+  }
+  template <class Crosses>
+  void join(std::uint32_t x, std::uint32_t y, Crosses&& crosses) {
+    if (x < pieces_.size() && y < pieces_.size() && crosses()) groups_.join(x, y);
+  }
+
+  void answer(std::uint32_t group, const Options& options, RegionList& list) {
+    Marks parts_a, parts_b;
+    parts_a.assign(a_.count(), 0);
+    parts_b.assign(b_.count(), 0);
+    AreaMoments moments;
+    const auto for_each_piece = [&](auto&& use) {
+      for (std::uint32_t i = group; i < pieces_.size(); ++i)
+        if (groups_.of(i) == group) use(pieces_[i]);
+    };
+    for_each_piece([&](const Piece& p) { parts_a[p.part_a] = parts_b[p.part_b] = 1; });
+    Depth least;
+    least.value = std::numeric_limits<double>::infinity();
+    Vec3d outward{};
+    bool of_b = false;
+    const auto consider = [&](std::uint32_t side) {
+      const bool second = side % 2 == 1;
+      const PartsView &own = second ? b_ : a_, &other = second ? a_ : b_;
+      const Vec3d n = own.edge_normal(side / 2);
+      const Depth d = other.behind(n, own.edge_height(side / 2, n), second ? parts_a : parts_b);
+      if (!(d.value < least.value)) return;
+      least = d;
+      outward = n;
+      of_b = second;
+    };
+    for_each_piece([&](const Piece& p) {
+      Corners region;
+      for (std::uint32_t k = 0; k < p.count; ++k) {
+        const Corner &c = corners_[p.first + k], &next = corners_[p.first + (k + 1 == p.count ? 0 : k + 1)];
+        region.push_back(c);
+        if (c.side != no_edge && !(c.x == next.x)) consider(c.side);
+      }
+      if (options.patch) moments.add(region);
+    });
+    if (!(least.value < std::numeric_limits<double>::infinity())) return;  // between cuts: its neighbours answer
+    const Vec3d on_edge = least.corner + least.value * outward;
+    Contact c = region_answer(-least.value, size_, of_b ? -outward : outward, of_b ? least.corner : on_edge,
+                              of_b ? on_edge : least.corner);
+    if (options.patch) moments.patch(outward, c.patch);
+    list.add(c);
+  }
+
+  const PartsView &a_, &b_;
+  double size_;
+  ShortList<Piece, 16> pieces_;
+  ShortList<Corner, 64> corners_;
+  Groups groups_;
+  Marks blocked_a_, blocked_b_;
+};
+
+std::size_t pair_regions(const Placed<Polygon>& a, const Placed<Polygon>& b, const Vec3d& offset,
+                         const Options& options, Contact* out) {
+  const double extent = max_abs(offset) + (a.scale * a.shape->circumradius + b.scale * b.shape->circumradius);
+  if (!(a.scale > 0 && b.scale > 0 && extent_in_range(extent) && all_at_least(offset, -extent))) {
+    out[0] = refused();
+    return 1;
+  }
+  const Scale unit = scale_of(extent);
+  const PartsView view_a{*a.shape, placement(a, unit.down, {})};
+  const PartsView view_b{*b.shape, placement(b, unit.down, unit.down * offset)};
+  RegionList list(out, max_regions);
+  PolygonPair(view_a, view_b, 2 * extent * unit.down).find(options, list);
+  return list.finish(unit.up);
+}
+
+std::size_t line_regions(const Placed<Polygon>& a, const Placed<shapes::Line>& b, const Vec3d& offset,
+                         const Options& options, Contact* out) {
+  const double extent = max_abs(offset) + a.scale * a.shape->circumradius;
+  if (!(a.scale > 0 && extent_in_range(extent) && all_at_least(offset, -extent))) {
+    out[0] = refused();
+    return 1;
+  }
+  const Scale unit = scale_of(extent);
+  const PartsView view{*a.shape, placement(a, unit.down, {})};
+  const Vec3d& m = b.normal;
+  const double level = dot(m, unit.down * offset), size = 2 * extent * unit.down;
+  const auto below = [&](const Vec3d& x) { return dot(m, x) < level; };
+  const Marks blocked = view.blocked(below);
+  Groups groups;
+  Marks touched;
+  for (std::size_t i = 0; i < view.count(); ++i) {
+    char mark = 0;
+    for (const Vec3d& v : view.part(i).vertices)
+      if (below(view.place.point(v))) mark = 1;
+    touched.push_back(mark);
+    groups.add();
+  }
+  for (std::size_t s = 0; s < a.shape->seams.size(); ++s) {
+    const Polygon::Seam& seam = a.shape->seams[s];
+    if (!blocked[s] && (below(view.place.point(seam.end[0])) || below(view.place.point(seam.end[1]))))
+      groups.join(seam.part[0], seam.part[1]);
+  }
+  RegionList list(out, max_regions);
+  for (std::uint32_t g = 0; g < view.count(); ++g) {
+    if (groups.of(g) != g) continue;
+    Depth deepest;
+    AreaMoments moments;
+    for (std::uint32_t i = g; i < view.count(); ++i) {
+      if (groups.of(i) != g || !touched[i]) continue;
+      Corners part, region;
+      for (const Vec3d& v : view.part(i).vertices) {
+        const Vec3d x = view.place.point(v);
+        if (const double d = level - dot(m, x); d > deepest.value) deepest = {d, x};
+        part.push_back({x, no_edge});
+      }
+      if (!options.patch) continue;
+      cut(part, m, level, no_edge, region);
+      moments.add(region);
+    }
+    if (!(deepest.value > 0)) continue;
+    Contact c = region_answer(-deepest.value, size, -m, deepest.corner, deepest.corner + deepest.value * m);
+    if (options.patch) moments.patch(m, c.patch);
+    list.add(c);
+  }
+  return list.finish(unit.up);
+}
+
+bool is_cut(const Body& b) {
+  return b.kind == Kind::polygon && b.geometry != nullptr && !static_cast<const Polygon*>(b.geometry)->convex;
+}
+
+}  // namespace
+
+bool meets_in_regions(const Body& a, const Body& b) { return is_cut(a) || is_cut(b); }
+
+std::size_t polygon_regions(const Body& a, const Body& b, const Vec3d& offset, const Options& options, Contact* out) {
+  if (a.kind == Kind::disc && b.kind == Kind::polygon)
+    return disc_regions(a.size.x, placed<Polygon>(b), offset, {out, max_regions});
+  if (a.kind == Kind::ellipse && b.kind == Kind::polygon)
+    return ellipse_regions(placed<shapes::Ellipse>(a), placed<Polygon>(b), offset, {out, max_regions});
+  if (a.kind == Kind::polygon && b.kind == Kind::line)
+    return line_regions(placed<Polygon>(a), placed<shapes::Line>(b), offset, options, out);
+  if (a.kind != Kind::polygon || b.kind != Kind::polygon) {
+    out[0] = refused();
+    return 1;
+  }
+  if (!seen_from_b(offset)) return pair_regions(placed<Polygon>(a), placed<Polygon>(b), offset, options, out);
+  const std::size_t count = pair_regions(placed<Polygon>(b), placed<Polygon>(a), -offset, options, out);
+  for (std::size_t i = 0; i < count; ++i) out[i] = exchanged(out[i], offset);
+  return count;
+}
+
+}  // namespace contact

@@ -1,0 +1,37 @@
+// Contacts of a pair with a polygon that is not convex: one for each region of the overlap.
+//
+//   region   connected part of the overlap, taken together across the cuts between convex parts, but not across a cut
+//            whose reflex corner lies inside the other body: a block in the corner of an L touches both legs (1)
+//   edge e   of either outline on the region's border, outward normal n, line n·x = h: its depth is that of the other
+//            body's parts in the region                                                                             (2)
+//                d(e) = max (h − n·x),   gap = −min d(e),   normal n (of a) or −n (of b)
+//   line     normal of the line, depth of the deepest corner of the region                                          (3)
+//   disc, ellipse   the edges that they cross, and convex corners inside them within their Voronoi regions (4)
+//
+// Cuts never give a normal and never double a contact. (2) is the separating axis of contact.h between the convex parts
+// that meet, limited to edges of the outlines that are met. The patch of polygons and lines is the region itself:
+// centroid of its area and spread along the edge. A second contact of one pair appears with depth 0 where a body comes
+// to a second edge, and at once, with the depth that it has, where a corner has slid past a reflex corner beneath the
+// surface.
+//
+// Bounds: 32 eps L on (2)–(4). Cost: pairs of parts whose circles meet, each a clip. Not on the heap while polygons
+// have up to 16 corners and 16 parts. Tests: tests/libcontact/polygon_regions.cpp.
+#pragma once
+
+#include <cstddef>
+
+#include "libcontact/dispatch.h"
+
+namespace contact {
+
+// More regions than this in one pair: the shallowest are left out, and none of the answers is certified.
+inline constexpr std::size_t max_regions = 8;
+
+// Whether one of the two is a polygon that is not convex: then the pair may touch in several regions.
+bool meets_in_regions(const Body& a, const Body& b);
+
+// Overlapping regions of a pair in kind order, into out[0 … max_regions): their number. Polygon with disc, ellipse,
+// polygon or line. A pair out of range gives one answer, refused.
+std::size_t polygon_regions(const Body& a, const Body& b, const Vec3d& offset, const Options& options, Contact* out);
+
+}  // namespace contact

@@ -1,0 +1,128 @@
+// What the searches for regions share: groups of pieces, and the parts of one polygon that are in play.
+#pragma once
+
+#include "libcontact/methods/method.h"
+#include "libcontact/methods/planar_outline.h"
+#include "libcontact/scale.h"
+
+namespace contact {
+
+using Marks = ShortList<char, 16>;  // one per part or seam
+constexpr std::uint32_t no_edge = shapes::Polygon::none;
+
+// Pieces joined into groups; a group is known by its first piece.
+class Groups {
+ public:
+  void add() { first_.push_back(static_cast<std::uint32_t>(first_.size())); }
+  std::uint32_t of(std::uint32_t i) const {
+    while (first_[i] != i) i = first_[i];
+    return i;
+  }
+  void join(std::uint32_t i, std::uint32_t j) {
+    i = of(i), j = of(j);
+    first_[i < j ? j : i] = i < j ? i : j;
+  }
+
+ private:
+  ShortList<std::uint32_t, 32> first_;
+};
+
+// Some material of a polygon: how deep its deepest corner lies behind a line, and that corner.
+struct Depth {
+  double value = -std::numeric_limits<double>::infinity();
+  Vec3d corner{};
+};
+
+struct PartsView {
+  const shapes::Polygon& shape;
+  Placement place;
+
+  std::size_t count() const { return shape.parts.size(); }
+  const shapes::Polygon::Part& part(std::size_t i) const { return shape.parts[i]; }
+  Vec3d normal(const shapes::Polygon::Part& p, std::size_t side) const { return place.direction(p.normals[side]); }
+  double height(const shapes::Polygon::Part& p, std::size_t side, const Vec3d& normal) const {
+    return place.scale * p.offsets[side] + dot(normal, place.at);
+  }
+  Vec3d edge_normal(std::uint32_t e) const { return place.direction(shape.normals[e]); }
+  double edge_height(std::uint32_t e, const Vec3d& normal) const {
+    return place.scale * shape.offsets[e] + dot(normal, place.at);
+  }
+  bool holds(std::size_t i, const Vec3d& x) const {
+    const auto& p = part(i);
+    for (std::size_t k = 0; k < p.normals.size(); ++k)
+      if (const Vec3d n = normal(p, k); !(dot(n, x) <= height(p, k, n))) return false;
+    return true;
+  }
+  bool holds(const Vec3d& x) const {
+    for (std::size_t i = 0; i < count(); ++i)
+      if (holds(i, x)) return true;
+    return false;
+  }
+  // Circles about a part and a point's neighbourhood of this radius meet, with a margin for rounding.
+  bool near(std::size_t i, const Vec3d& centre, double radius, double margin) const {
+    const Vec3d d = place.point(part(i).centre) - centre;
+    const double reach = place.scale * part(i).radius + radius + margin;
+    return dot(d, d) <= reach * reach;
+  }
+
+  // Seams that no region reaches across: the other body holds a reflex corner of theirs.
+  template <class Holds>
+  Marks blocked(Holds&& other_holds) const {
+    Marks marks;
+    for (const auto& seam : shape.seams) {
+      char mark = 0;
+      for (const std::uint32_t c : seam.corner)
+        if (c != no_edge && other_holds(place.point(shape.vertices[c]))) mark = 1;
+      marks.push_back(mark);
+    }
+    return marks;
+  }
+
+  // Depth of the marked parts behind the line n·x = h.
+  Depth behind(const Vec3d& n, double h, const Marks& marks) const {
+    Depth depth;
+    for (std::size_t i = 0; i < count(); ++i) {
+      if (!marks[i]) continue;
+      for (const Vec3d& v : part(i).vertices) {
+        const Vec3d x = place.point(v);
+        if (const double d = h - dot(n, x); d > depth.value) depth = {d, x};
+      }
+    }
+    return depth;
+  }
+};
+
+// Collects a pair's regions; of too many it keeps the deepest.
+class RegionList {
+ public:
+  RegionList(Contact* out, std::size_t capacity) : out_(out), capacity_(capacity) {}
+  void add(const Contact& c) {
+    if (count_ < capacity_) {
+      out_[count_++] = c;
+      return;
+    }
+    full_ = true;
+    std::size_t shallowest = 0;
+    for (std::size_t i = 1; i < count_; ++i)
+      if (out_[i].gap > out_[shallowest].gap) shallowest = i;
+    if (c.gap < out_[shallowest].gap) out_[shallowest] = c;
+  }
+  std::size_t finish(double up) {
+    for (std::size_t i = 0; i < count_; ++i) {
+      rescale(out_[i], up);
+      if (full_) out_[i].certified = false;
+    }
+    return count_;
+  }
+
+ private:
+  Contact* out_;
+  std::size_t capacity_, count_ = 0;
+  bool full_ = false;
+};
+
+inline Contact region_answer(double gap, double size, const Vec3d& n, const Vec3d& a, const Vec3d& b) {
+  return smooth_contact(gap, gap - planar_half_width * size, gap + planar_half_width * size, n, a, b);
+}
+
+}  // namespace contact
