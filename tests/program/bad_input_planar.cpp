@@ -55,7 +55,7 @@ const std::vector<BadInput> inputs{
     {"wall_off_the_plane",
      LINE,
      BLOCK "[[0, 0, 0], [1, 0, 0], [0, 0, 1]]",
-     {"scene.toml:20:12", "wall.vertices", "z of vertex 2 must be 0"}},
+     {"scene.toml:21:12", "wall.vertices", "z of vertex 2 must be 0"}},
     {"wall_that_is_not_convex",
      LINE,
      BLOCK "[[-1, -1, 0], [1, -1, 0], [0, -0.5, 0], [0, -0.1, 0]]",
