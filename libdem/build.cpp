@@ -21,9 +21,18 @@
 namespace dem {
 
 std::uint32_t shape_index(const World& world, const std::string& name, const Where& where) {
-  for (std::size_t i = 0; i < world.shapes.size(); ++i)
-    if (world.shapes[i].name == name) return static_cast<std::uint32_t>(i);
-  input_error(where, "shape \"" + name + "\" is not defined");
+  const std::vector<std::uint32_t> all = shape_indices(world, name, where);
+  return all[world.next_id % all.size()];
+}
+
+std::vector<std::uint32_t> shape_indices(const World& world, const std::string& name, const Where& where) {
+  std::vector<std::uint32_t> family;
+  for (std::uint32_t i = 0; i < world.shapes.size(); ++i) {
+    if (world.shapes[i].name == name) return {i};
+    if (world.shapes[i].family == name) family.push_back(i);
+  }
+  if (family.empty()) input_error(where, "shape \"" + name + "\" is not defined");
+  return family;
 }
 
 std::uint32_t material_index(const World& world, const std::string& name, const Where& where) {
@@ -56,7 +65,7 @@ void tag_species(World& world, const SpeciesSpec& spec) {
   for (std::size_t i = 0; i < p.count(); ++i)
     if ((!region || region->holds(p.motion[i].position)) &&
         (spec.material.empty() || world.scene.materials[p.material[i]].name == spec.material) &&
-        (spec.shape.empty() || world.shapes[p.shape[i]].name == spec.shape))
+        (spec.shape.empty() || world.shapes[p.shape[i]].family == spec.shape))
       p.species[i] = tag;
 }
 
@@ -215,7 +224,8 @@ World build_world(const Scene& scene) {
   World world;
   world.scene = scene;
   mix_materials(world);
-  for (const ShapeSpec& s : scene.shapes) world.shapes.push_back(make_shape(s, scene));
+  for (const ShapeSpec& s : scene.shapes)
+    for (ShapeEntry& e : make_shapes(s, scene)) world.shapes.push_back(std::move(e));
   for (const WallSpec& w : scene.walls) world.walls.push_back(make_wall(w, material_index(world, w.material, w.where)));
   if (scene.dimension == 2)
     for (const Wall& w : world.walls)

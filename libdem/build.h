@@ -7,7 +7,10 @@
 
 namespace dem {
 
-ShapeEntry make_shape(const ShapeSpec& spec, const Scene& scene);
+// One entry, or all the variants of kinds generated and voronoi.
+std::vector<ShapeEntry> make_shapes(const ShapeSpec& spec, const Scene& scene);
+// Of these kinds: grains of unit diameter, a function of the scene's seed and the place of the shape in it alone.
+std::vector<shapes::Polyhedron> generated_grains(const ShapeSpec& spec, const Scene& scene);
 // A polyhedron of a scene, its file or vertices as given or in its principal frame.
 shapes::Polyhedron polyhedron_of(const ShapeSpec& spec, shapes::Frame frame);
 // Kinds clump and union; what turns out to be a single sphere, ellipsoid or polyhedron becomes that.
@@ -52,7 +55,10 @@ Quatd random_orientation(const World& world, Random& random);
 void tag_species(World& world, const SpeciesSpec& spec);
 
 std::uint32_t species_index(const World& world, const std::string& name, const Where& where);  // "": 0, none
+// An entry by its name; of a family the variant that is due to the next body.
 std::uint32_t shape_index(const World& world, const std::string& name, const Where& where);
+// All the entries of a name: of a family its variants.
+std::vector<std::uint32_t> shape_indices(const World& world, const std::string& name, const Where& where);
 std::uint32_t material_index(const World& world, const std::string& name, const Where& where);
 
 }  // namespace dem

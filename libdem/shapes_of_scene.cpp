@@ -172,8 +172,7 @@ shapes::Polyhedron core_of_diameter(const shapes::Polyhedron& p, double rounding
   return shapes::scaled(p, low);
 }
 
-void make_rounded(const ShapeSpec& s, ShapeEntry& e) {
-  shapes::Polyhedron p = polyhedron_of(s, shapes::Frame::principal);
+void make_rounded(shapes::Polyhedron p, const ShapeSpec& s, ShapeEntry& e) {
   if (s.diameter > 0) p = core_of_diameter(p, s.rounding, s.diameter);
   shapes::RoundedPolyhedron body = shapes::make_rounded(p, s.rounding);
   e.kind = shapes::Kind::rounded_polyhedron;
@@ -199,11 +198,9 @@ void make_potential(const ShapeSpec& s, ShapeEntry& e) {
   e.potential = std::make_shared<const shapes::PotentialParticle>(std::move(body));
 }
 
-}  // namespace
-
 ShapeEntry make_shape(const ShapeSpec& s, const Scene& scene) {
   ShapeEntry e;
-  e.name = s.name;
+  e.name = e.family = s.name;
   try {
     if (s.kind == "sphere") {
       make_sphere(s.radius, e);
@@ -222,7 +219,7 @@ ShapeEntry make_shape(const ShapeSpec& s, const Scene& scene) {
     } else if (s.kind == "potential_particle") {
       make_potential(s, e);
     } else if (s.rounding > 0) {
-      make_rounded(s, e);
+      make_rounded(polyhedron_of(s, shapes::Frame::principal), s, e);
     } else {
       make_solid(polyhedron_of(s, shapes::Frame::principal), e);
     }
@@ -231,6 +228,27 @@ ShapeEntry make_shape(const ShapeSpec& s, const Scene& scene) {
   }
   if (e.overlap_radius == 0) e.overlap_radius = e.inscribed_radius;
   return e;
+}
+
+}  // namespace
+
+std::vector<ShapeEntry> make_shapes(const ShapeSpec& s, const Scene& scene) {
+  if (s.kind != "generated" && s.kind != "voronoi") return {make_shape(s, scene)};
+  std::vector<ShapeEntry> entries;
+  try {
+    for (shapes::Polyhedron& p : generated_grains(s, scene)) {
+      ShapeEntry& e = entries.emplace_back();
+      e.family = s.name;
+      e.name = s.name + "#" + std::to_string(entries.size());
+      if (s.rounding > 0)
+        make_rounded(std::move(p), s, e);
+      else
+        make_solid(shapes::scaled(p, s.diameter), e);
+    }
+  } catch (const shapes::Error& error) {
+    input_error(s.where, "shape \"" + s.name + "\": " + error.what());
+  }
+  return entries;
 }
 
 }  // namespace dem

@@ -21,6 +21,7 @@ namespace dem {
 
 struct ShapeEntry {  // a named shape of the scene, at scale 1
   std::string name;
+  std::string family;  // the shape of the scene; its variants have names of their own
   shapes::Kind kind = shapes::Kind::sphere;
   std::shared_ptr<const shapes::Polyhedron> polyhedron;        // of polyhedra; of rounded ones the core
   std::shared_ptr<const shapes::Polygon> polygon;              // kind polygon only; its centroid is the origin

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "libdem/cli/check_parts.h"
 
@@ -12,30 +13,54 @@ namespace dem::cli {
 
 namespace {
 
+std::string describe(const ShapeEntry& s) {
+  std::string kind = shapes::name_of(s.kind);
+  if (s.polyhedron)
+    kind += fmt::format(", {} vertices, {} faces", s.polyhedron->vertices.size(), s.polyhedron->faces.size());
+  if (s.potential)
+    kind += fmt::format(", {} planes, k {:.4g}, r {:.4g} m, R {:.4g} m", s.potential->planes.size(), s.potential->k,
+                        s.potential->r, s.potential->R);
+  if (s.compound) kind += fmt::format(", {} parts", s.compound->parts.size());
+  if (s.polygon) kind += fmt::format(", {} vertices", s.polygon->vertices.size());
+  if (s.meets_in_regions()) kind += fmt::format(", not convex: {} convex parts", s.polygon->parts.size());
+  if (s.kind == shapes::Kind::rounded_polyhedron) kind += fmt::format(" rounded by {:.4g} m", s.size.y);
+  return kind;
+}
+
+// Variants of one shape: what they have in common.
+std::string describe(const World& world, const std::set<std::uint32_t>& variants) {
+  std::size_t fewest = std::numeric_limits<std::size_t>::max(), most = 0;
+  for (const std::uint32_t v : variants) {
+    fewest = std::min(fewest, world.shapes[v].polyhedron->vertices.size());
+    most = std::max(most, world.shapes[v].polyhedron->vertices.size());
+  }
+  return fmt::format("{} variants of kind {}, {} to {} vertices", variants.size(),
+                     shapes::name_of(world.shapes[*variants.begin()].kind), fewest, most);
+}
+
 void print_bodies(const World& world) {
   const Particles& p = world.particles;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> groups;
+  struct Group {
+    std::size_t count = 0;
+    std::set<std::uint32_t> variants;
+  };
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Group> groups;  // first variant, material
+  std::map<std::string, std::uint32_t> first;
+  for (std::uint32_t s = 0; s < world.shapes.size(); ++s) first.emplace(world.shapes[s].family, s);
   double smallest = std::numeric_limits<double>::infinity(), largest = 0, mass = 0;
   for (std::size_t i = 0; i < p.count(); ++i) {
-    ++groups[{p.shape[i], p.material[i]}];
+    Group& group = groups[{first[world.shapes[p.shape[i]].family], p.material[i]}];
+    ++group.count;
+    group.variants.insert(p.shape[i]);
     smallest = std::min(smallest, p.motion[i].equivalent_radius);
     largest = std::max(largest, p.motion[i].equivalent_radius);
     mass += p.mass[i];
   }
   head(fmt::format("bodies: {}", p.count()));
-  for (const auto& [group, count] : groups) {
-    const ShapeEntry& s = world.shapes[group.first];
-    std::string kind = shapes::name_of(s.kind);
-    if (s.polyhedron)
-      kind += fmt::format(", {} vertices, {} faces", s.polyhedron->vertices.size(), s.polyhedron->faces.size());
-    if (s.potential)
-      kind += fmt::format(", {} planes, k {:.4g}, r {:.4g} m, R {:.4g} m", s.potential->planes.size(), s.potential->k,
-                          s.potential->r, s.potential->R);
-    if (s.compound) kind += fmt::format(", {} parts", s.compound->parts.size());
-    if (s.polygon) kind += fmt::format(", {} vertices", s.polygon->vertices.size());
-    if (s.meets_in_regions()) kind += fmt::format(", not convex: {} convex parts", s.polygon->parts.size());
-    if (s.kind == shapes::Kind::rounded_polyhedron) kind += fmt::format(" rounded by {:.4g} m", s.size.y);
-    line(s.name, fmt::format("{} of {} ({})", count, world.scene.materials[group.second].name, kind));
+  for (const auto& [of, group] : groups) {
+    const ShapeEntry& s = world.shapes[of.first];
+    line(s.family, fmt::format("{} of {} ({})", group.count, world.scene.materials[of.second].name,
+                               s.family == s.name ? describe(s) : describe(world, group.variants)));
   }
   const char* equal = world.scene.dimension == 2 && world.scene.thickness > 0 ? "area" : "volume";
   line("size", fmt::format("{}-equivalent radius {:.4g} to {:.4g} m", equal, smallest, largest));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "libdem/build.h"
@@ -27,26 +28,31 @@ double normal(Random& random) {
 Recipe::Recipe(const World& world, const std::vector<FillItem>& items, const Where& where)
     : world_(world), items_(items), where_(where) {
   for (const FillItem& item : items_) {
-    const Draft body{shape_index(world, item.shape, where), material_index(world, item.material, where),
-                     species_index(world, item.species, where), 1};
-    if (item.distribution != SizeDistribution::table) {
-      const bool fixed = item.scale_min == item.scale_max;
-      classes_.push_back({&item, body, item.weight, item.scale_min, item.scale_max, fixed});
-      classes_.back().body.scale = item.scale_min;
-      continue;
-    }
-    // A share of the mass is a share of the number times the size's volume.
-    std::vector<double> number;
-    double sum = 0;
-    for (const auto& [size, share] : item.table) {
-      number.push_back(item.share_by == ShareBy::mass ? share / volume({body.shape, 0, 0, size}) : share);
-      sum += number.back();
-    }
-    for (std::size_t k = 0; k < item.table.size(); ++k) {
-      const double size = item.table[k][0];
-      classes_.push_back({&item, body, item.weight * (number[k] / sum), size, size, true});
-      classes_.back().body.scale = size;
-    }
+    const std::vector<std::uint32_t> variants = shape_indices(world, item.shape, where);
+    add_classes(
+        item, {variants[0], material_index(world, item.material, where), species_index(world, item.species, where), 1},
+        variants);
+  }
+}
+
+void Recipe::add_classes(const FillItem& item, const Draft& body, const std::vector<std::uint32_t>& variants) {
+  if (item.distribution != SizeDistribution::table) {
+    const bool fixed = item.scale_min == item.scale_max;
+    classes_.push_back({&item, body, variants, item.weight, item.scale_min, item.scale_max, fixed});
+    classes_.back().body.scale = item.scale_min;
+    return;
+  }
+  // A share of the mass is a share of the number times the size's volume.
+  std::vector<double> number;
+  double sum = 0;
+  for (const auto& [size, share] : item.table) {
+    number.push_back(item.share_by == ShareBy::mass ? share / volume({body.shape, 0, 0, size}) : share);
+    sum += number.back();
+  }
+  for (std::size_t k = 0; k < item.table.size(); ++k) {
+    const double size = item.table[k][0];
+    classes_.push_back({&item, body, variants, item.weight * (number[k] / sum), size, size, true});
+    classes_.back().body.scale = size;
   }
 }
 
@@ -83,6 +89,7 @@ std::vector<Draft> Recipe::list(std::uint64_t count, std::uint64_t stream) const
     for (std::uint64_t k = 0; k < number[i]; ++k) {
       Random random(world_.scene.run.seed, 2 * stream, list.size());
       list.push_back(classes_[i].body);
+      list.back().shape = classes_[i].variants[k % classes_[i].variants.size()];
       list.back().scale = scale_of(classes_[i], random);
     }
   for (std::size_t i = list.size(); i > 1; --i) {
@@ -100,6 +107,8 @@ Draft Recipe::draw(Random& random) const {
   while (i + 1 < classes_.size() && u >= classes_[i].share) u -= classes_[i++].share;
   Draft draft = classes_[i].body;
   draft.scale = scale_of(classes_[i], random);
+  if (const auto& variants = classes_[i].variants; variants.size() > 1)
+    draft.shape = variants[random.bits() % variants.size()];
   return draft;
 }
 
@@ -120,7 +129,8 @@ double Recipe::least_room(std::uint64_t count) const {
   double weights = 0, room = 0;
   for (const Class& c : classes_) weights += c.share;
   for (const Class& c : classes_) {
-    const double r = world_.shapes[c.body.shape].circumradius * c.smallest;
+    double r = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t v : c.variants) r = std::min(r, world_.shapes[v].circumradius * c.smallest);
     const double one = dimension_of(world_) == 2 ? std::numbers::pi * r * r : 4 * std::numbers::pi / 3 * r * r * r;
     room += std::floor(static_cast<double>(count) * (c.share / weights)) * one;
   }
@@ -129,16 +139,19 @@ double Recipe::least_room(std::uint64_t count) const {
 
 std::vector<Draft> Recipe::smallest() const {
   std::vector<Draft> list;
-  for (const Class& c : classes_) {
-    list.push_back(c.body);
-    list.back().scale = c.smallest;
-  }
+  for (const Class& c : classes_)
+    for (const std::uint32_t v : c.variants) {
+      list.push_back(c.body);
+      list.back().shape = v;
+      list.back().scale = c.smallest;
+    }
   return list;
 }
 
 double Recipe::largest_radius() const {
   double largest = 0;
-  for (const Class& c : classes_) largest = std::max(largest, world_.shapes[c.body.shape].circumradius * c.largest);
+  for (const Class& c : classes_)
+    for (const std::uint32_t v : c.variants) largest = std::max(largest, world_.shapes[v].circumradius * c.largest);
   return largest;
 }
 

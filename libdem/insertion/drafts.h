@@ -37,10 +37,12 @@ class Recipe {
  private:
   struct Class {
     const FillItem* item;
-    Draft body;  // with its scale where that is fixed
+    Draft body;                           // with its scale where that is fixed
+    std::vector<std::uint32_t> variants;  // of its shape, taken in turn
     double share, smallest, largest;
     bool fixed;
   };
+  void add_classes(const FillItem& item, const Draft& body, const std::vector<std::uint32_t>& variants);
   double scale_of(const Class& c, Random& random) const;
   const World& world_;
   std::vector<FillItem> items_;

@@ -56,6 +56,12 @@ void to_plate(io::WallSurface& s, const Vec3d& look) {
   s.normal = {0, 0, look.z < 0 ? 1.0 : -1.0};
 }
 
+std::size_t place_in_scene(const Scene& scene, const std::string& shape) {
+  std::size_t i = 0;
+  while (i + 1 < scene.shapes.size() && scene.shapes[i].name != shape) ++i;
+  return i;
+}
+
 }  // namespace
 
 const std::vector<std::string>& color_names() {
@@ -82,7 +88,7 @@ Picture picture_of(const World& world, const View& view) {
       if (wall.kind == shapes::Kind::polygon) to_plate(s, *view.orthographic);
     }
   for (io::WallSurface& c : io::cell_surfaces(world)) picture.walls.push_back(std::move(c));
-  if (by == "shape") picture.names = names_of(world.shapes);
+  if (by == "shape") picture.names = names_of(world.scene.shapes);
   if (by == "material") picture.names = names_of(world.scene.materials);
   if (by == "species") {
     picture.names = names_of(world.scene.species);
@@ -97,7 +103,7 @@ Picture picture_of(const World& world, const View& view) {
     const ShapeEntry& shape = world.shapes[p.shape[i]];
     const double value = by == "speed"      ? norm(p.motion[i].velocity)
                          : by == "id"       ? static_cast<double>(p.id[i])
-                         : by == "shape"    ? p.shape[i]
+                         : by == "shape"    ? static_cast<double>(place_in_scene(world.scene, shape.family))
                          : by == "size"     ? 2 * p.motion[i].equivalent_radius
                          : by == "material" ? p.material[i]
                          : by == "species"  ? p.species[i]

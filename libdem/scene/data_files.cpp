@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
-#include <utility>
 
 #include "libdem/scene/node.h"
 
@@ -14,8 +13,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> collections{
-    {{"grain:", "ct_hull_coarse"}, {"grain-fine:", "ct_hull_fine"}, {"solid:", "solids"}}};
+struct Collection {
+  std::string_view prefix, folder, extension;
+};
+constexpr std::array<Collection, 4> collections{{{"grain:", "ct_hull_coarse", ".off"},
+                                                 {"grain-fine:", "ct_hull_fine", ".off"},
+                                                 {"solid:", "solids", ".off"},
+                                                 {"ct:", "ct_dims", ".csv"}}};
 
 std::string folder_named(const char* variable, const char* standard) {
   const char* named = std::getenv(variable);
@@ -30,22 +34,22 @@ std::string scenes_folder() { return folder_named("DEM_SCENES", DEM_SOURCE_SCENE
 std::string materials_folder() { return folder_named("DEM_MATERIALS", DEM_SOURCE_MATERIALS_DIR); }
 
 std::string resolve_file(const std::string& name, const std::string& base) {
-  for (const auto& [prefix, folder] : collections)
+  for (const auto& [prefix, folder, extension] : collections)
     if (name.starts_with(prefix))
-      return (fs::path(data_folder()) / folder / (name.substr(prefix.size()) + ".off")).string();
+      return (fs::path(data_folder()) / folder / (name.substr(prefix.size()) + std::string(extension))).string();
   return fs::absolute(fs::path(base) / name).lexically_normal().string();
 }
 
 std::string shipped_name(const std::string& path) {
   const fs::path p(path);
-  for (const auto& [prefix, folder] : collections)
-    if (p.extension() == ".off" && p.parent_path() == fs::path(data_folder()) / folder)
+  for (const auto& [prefix, folder, extension] : collections)
+    if (p.extension() == extension && p.parent_path() == fs::path(data_folder()) / folder)
       return std::string(prefix) + p.stem().string();
   return path;
 }
 
 bool is_shipped(std::string_view name) {
-  return std::any_of(collections.begin(), collections.end(), [&](const auto& c) { return name.starts_with(c.first); });
+  return std::any_of(collections.begin(), collections.end(), [&](const auto& c) { return name.starts_with(c.prefix); });
 }
 
 std::string path_of_scene(const std::string& name) { return (fs::path(scenes_folder()) / (name + ".toml")).string(); }
@@ -67,10 +71,10 @@ std::string title_of_scene(const std::string& name) {
 
 std::vector<std::string> shipped_names() {
   std::vector<std::string> names;
-  for (const auto& [prefix, folder] : collections) {
+  for (const auto& [prefix, folder, extension] : collections) {
     std::error_code missing;
     for (const auto& entry : fs::directory_iterator(fs::path(data_folder()) / folder, missing))
-      if (entry.path().extension() == ".off") names.push_back(std::string(prefix) + entry.path().stem().string());
+      if (entry.path().extension() == extension) names.push_back(std::string(prefix) + entry.path().stem().string());
   }
   std::sort(names.begin(), names.end());
   return names;

@@ -15,8 +15,9 @@ std::string scenes_folder();
 // The folder of the tables of materials: $DEM_MATERIALS, or libdem/data of the source tree.
 std::string materials_folder();
 
-// "grain:ma165_01" (20 to 24 vertices), "grain-fine:ma165_01" (48 to 85) and "solid:cube" name shipped files; another
-// path is relative to `base` (the folder of the scene file). The result is absolute; nothing is checked.
+// "grain:ma165_01" (20 to 24 vertices), "grain-fine:ma165_01" (48 to 85), "solid:cube" and "ct:all" (measures of
+// scanned grains) name shipped files; another path is relative to `base` (the folder of the scene file). The result is
+// absolute; nothing is checked.
 std::string resolve_file(const std::string& name, const std::string& base);
 // The reverse for the shipped files: the name with its prefix, or the path as it is.
 std::string shipped_name(const std::string& path);

@@ -110,7 +110,8 @@ class Rules : RuleContext {
   void part(std::size_t i, const PartSpec& part) {
     for (const ShapeSpec& s : scene.shapes) {
       if (s.name != part.shape) continue;
-      for (const char* kind : {"clump", "union", "potential_particle", "disc", "ellipse", "polygon", "regular_polygon"})
+      for (const char* kind : {"clump", "union", "generated", "voronoi", "potential_particle", "disc", "ellipse",
+                               "polygon", "regular_polygon"})
         if (s.kind == kind)
           return wrong(
               "shape", i, "parts",

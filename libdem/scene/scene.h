@@ -88,7 +88,8 @@ struct PartSpec {
 // half_spaces, or file (OFF, OBJ, STL); `diameter` > 0 rescales a polyhedron or clump so that its volume-equivalent
 // sphere has this diameter. `rounding` > 0 rounds edges and corners of all flat-faced kinds of space: the body is every
 // point within this distance of the polyhedron, `diameter` that of the whole. potential_particle: half_spaces, k, r, R
-// (shapes/potential_particle.h), and `diameter`.
+// (shapes/potential_particle.h), and `diameter`. generated, voronoi: `variants` grains by random numbers
+// (shapes/generate.h), each of this diameter.
 struct ShapeSpec {
   std::string name, kind;
   double radius = 0;
@@ -106,6 +107,8 @@ struct ShapeSpec {
   std::vector<std::array<double, 4>> spheres;      // clump: x, y, z, radius, m
   std::string spheres_file;                        // or a CSV file of them, resolved path
   std::vector<PartSpec> parts;                     // union
+  std::string statistic, set;                      // generated: resolved path; rows of it, empty: all
+  int variants = 64, relaxations = 0;              // generated, voronoi; voronoi
   Where where;
 };
 

@@ -162,12 +162,12 @@ std::vector<Key> shape_keys() {
   std::vector<std::string> kinds{"sphere",  "ellipsoid",       "disc", "ellipse",
                                  "polygon", "regular_polygon", "box",  "prism"};
   kinds.insert(kinds.end(), platonic.begin(), platonic.end());
-  kinds.insert(kinds.end(), {"polyhedron", "potential_particle", "clump", "union"});
+  kinds.insert(kinds.end(), {"polyhedron", "potential_particle", "generated", "voronoi", "clump", "union"});
   std::vector<std::string> round{"prism", "regular_polygon"};
   round.insert(round.end(), platonic.begin(), platonic.end());
   std::vector<std::string> flat{"box", "prism"};
   flat.insert(flat.end(), platonic.begin(), platonic.end());
-  flat.push_back("polyhedron");
+  flat.insert(flat.end(), {"polyhedron", "generated", "voronoi"});
   std::vector<Key> keys{
       value<&ShapeSpec::name>("name", "", "Name by which bodies refer to it.").own_name(),
       value<&ShapeSpec::kind>("kind", "", "What it is.").one_of(kinds).must(),
@@ -222,7 +222,8 @@ std::vector<Key> shape_keys() {
       value<&ShapeSpec::diameter>(
           "diameter", "m", "Rescales the body to the volume of a sphere of this diameter; needed by shipped shapes.")
           .above(0)
-          .when("kind", {"polyhedron", "potential_particle", "clump"}),
+          .when("kind", {"polyhedron", "potential_particle", "clump", "generated", "voronoi"})
+          .must_for({"generated", "voronoi"}),
       value<&ShapeSpec::rounding>("rounding", "m",
                                   "Rounds edges and corners: the body is all that lies within this distance of the "
                                   "polyhedron (shape.diameter is that of the whole).")
@@ -241,7 +242,8 @@ std::vector<Key> shape_keys() {
           .must(),
       value<&ShapeSpec::R>("R", "m", "Radius of the sphere.").above(0).when("kind", {"potential_particle"}).must(),
   };
-  for (Key& key : part_keys()) keys.push_back(std::move(key));
+  for (auto* more : {part_keys, grain_keys})
+    for (Key& key : more()) keys.push_back(std::move(key));
   return keys;
 }
 

@@ -10,6 +10,7 @@ namespace dem {
 std::vector<Key> wall_keys();         // of [[wall]]
 std::vector<Key> periodic_keys();     // of [periodic]
 std::vector<Key> part_keys();         // of [[shape]], kinds clump and union
+std::vector<Key> grain_keys();        // of [[shape]], kinds generated and voronoi
 std::vector<Key> insertion_tables();  // [[region]], [[species]], [[fill]], [[rain]], [[outlet]], [[event]]
 
 }  // namespace dem

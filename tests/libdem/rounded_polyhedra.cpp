@@ -26,7 +26,7 @@ Scene tray(std::uint64_t count) {
 
 TEST(RoundedPolyhedra, VolumeByTheSteinerFormula) {
   const double a = 0.01, b = 0.02, c = 0.03, r = 0.002, pi = std::numbers::pi;
-  const ShapeEntry e = make_shape(rounded(scenes::box("b", {a, b, c}), r), {});
+  const ShapeEntry e = make_shapes(rounded(scenes::box("b", {a, b, c}), r), {})[0];
   EXPECT_EQ(e.kind, shapes::Kind::rounded_polyhedron);
   const double volume = a * b * c + 2 * r * (a * b + b * c + c * a) + pi * r * r * (a + b + c) + 4 * pi / 3 * r * r * r;
   EXPECT_NEAR(e.volume / volume, 1, 1e-14);
@@ -41,11 +41,11 @@ TEST(RoundedPolyhedra, DiameterIsThatOfTheWhole) {
   ShapeSpec s = scenes::points("p", {{0, 0, 0}, {0.012, 0.001, 0}, {0.002, 0.013, 0.001}, {0.003, 0.004, 0.011}});
   s.diameter = 0.01;
   for (const double r : {1e-5, 0.001, 0.004, 0.00499}) {
-    const ShapeEntry e = make_shape(rounded(s, r), {});
+    const ShapeEntry e = make_shapes(rounded(s, r), {})[0];
     EXPECT_NEAR(2 * e.equivalent_radius / s.diameter, 1, 1e-12) << r;
   }
   try {
-    make_shape(rounded(s, 0.005), {});
+    make_shapes(rounded(s, 0.005), {});
     FAIL() << "no refusal";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("rounding < diameter/2"), std::string::npos) << error.what();
