@@ -50,7 +50,7 @@ Scene tray(std::uint64_t count) {
 
 TEST(PotentialParticles, MassIsThatOfTheShape) {
   ShapeSpec s = potential("ball", box_planes({0.01, 0.01, 0.01}), 1, 0.001, 0.003);
-  const ShapeEntry ball = make_shape(s, {});
+  const ShapeEntry ball = make_shapes(s, {}).front();
   EXPECT_EQ(ball.kind, shapes::Kind::potential_particle);
   EXPECT_NEAR(ball.volume / (4 * std::numbers::pi / 3 * 2.7e-8), 1, 1e-12);
   EXPECT_NEAR(ball.equivalent_radius, 0.003, 1e-14);
@@ -58,7 +58,7 @@ TEST(PotentialParticles, MassIsThatOfTheShape) {
   EXPECT_GT(ball.drawn()->mass.volume, 0.95 * ball.volume);
   s = brick();
   s.diameter = 0.008;
-  const ShapeEntry sized = make_shape(s, {});
+  const ShapeEntry sized = make_shapes(s, {}).front();
   EXPECT_NEAR(2 * sized.equivalent_radius / s.diameter, 1, 1e-12);
   EXPECT_LT(sized.inertia.z, sized.inertia.x);  // longest along z
 }
