@@ -30,11 +30,12 @@ class Sample {
 
   std::vector<shapes::FormTarget> rows_of(const std::string& set) const {
     if (!set.empty() && !set_) input_error(header(), "the file has no column 'set'");
+    const auto set_of = [&](std::size_t r) { return set_ ? table_.rows[r][*set_] : std::string(); };
     std::vector<shapes::FormTarget> rows;
     std::set<std::string> sets;
     for (std::size_t r = 0; r < table_.rows.size(); ++r) {
-      if (set_) sets.insert(table_.rows[r][*set_]);
-      if (set.empty() || table_.rows[r][*set_] == set) rows.push_back(row(r));
+      sets.insert(set_of(r));
+      if (set.empty() || set_of(r) == set) rows.push_back(row(r));
     }
     if (rows.empty() && !set.empty())
       input_error(header(), fmt::format("no row has set = {}; the file has {}", set, fmt::join(sets, ", ")));
@@ -65,7 +66,7 @@ class Sample {
       target.sphericity_cubed = 36 * std::numbers::pi * (volume / area) * (volume / area) / area;
     }
     if (!(target.sphericity_cubed <= 1))
-      input_error(at(r, sphericity_ ? *sphericity_ : *volume_),
+      input_error(at(r, sphericity_.value_or(volume_.value_or(length_))),
                   "the sphericity is above 1, that of a sphere: are volume and area in the units of L?");
     return target;
   }

@@ -66,7 +66,8 @@ class Outlets {
       for (std::size_t o = 0; o < regions.size(); ++o) {
         const OutletSpec& spec = world_.scene.outlets[o];
         const Vec3d& x = p.motion[i].position;
-        if (!(regions[o] ? regions[o]->holds(x) : dot(spec.normal, x - spec.point) < 0)) continue;
+        const std::optional<Region>& region = regions[o];
+        if (!(region ? region->holds(x) : dot(spec.normal, x - spec.point) < 0)) continue;
         found.emplace_back(i, o);
         break;
       }

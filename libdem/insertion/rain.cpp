@@ -49,7 +49,7 @@ class Pourer {
       Random random(world_.scene.run.seed, stream_, record_.count);
       const Draft body = recipe_.draw(random);
       if (!due(spec_, record_, world_.time(), recipe_.mass(body))) return;
-      if (!region) {
+      if (!region || !taken) {
         region.emplace(region_of(world_, spec_.region));
         taken.emplace(world_, region->lower(), region->upper());
       }
