@@ -3,7 +3,7 @@
 namespace dem::validate {
 
 extern const Validation two_bodies, box_stack, vibrated_bed, triaxial_fcc, biaxial_2d, silo, hopper_slot, drum, pile_2d,
-    isotropic_periodic, direct_shear;
+    isotropic_periodic, direct_shear, compaction;
 
 const std::vector<const Validation*>& validations() {
   static const std::vector<const Validation*> list{
@@ -18,6 +18,7 @@ const std::vector<const Validation*>& validations() {
       &pile_2d,             //
       &isotropic_periodic,  //
       &direct_shear,        //
+      &compaction,          //
   };
   return list;
 }

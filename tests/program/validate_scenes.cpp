@@ -71,4 +71,15 @@ TEST(ShippedScenes, FrictionlessSpheresJamInTheirBox) {
   EXPECT_LT(z.rattlers, 0.06);
 }
 
+// A tenth of the spheres, at their highest pressure: far beyond jamming nearly all of them bear.
+TEST(ShippedScenes, FrictionlessSpheresArePressedBeyondJamming) {
+  const World w = Runs(scene("compaction"), "", 1)
+                      .run({"fill[0].count=200", "fill[0].upper=[0.072, 0.072, 0.072]",
+                            "periodic.upper=[0.072, 0.072, 0.072]", "run.time=0.55"});
+  EXPECT_NEAR(dem::solid_fraction(w), 0.69, 0.012);
+  const dem::Coordination z = dem::coordination(w);
+  EXPECT_NEAR(z.backbone, 7.8, 0.4);
+  EXPECT_LT(z.rattlers, 0.02);
+}
+
 }  // namespace
