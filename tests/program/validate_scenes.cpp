@@ -82,4 +82,18 @@ TEST(ShippedScenes, FrictionlessSpheresArePressedBeyondJamming) {
   EXPECT_LT(z.rattlers, 0.02);
 }
 
+// Three layers of grains, half of the way: most drop into the die, and none goes through its floor or the tables.
+TEST(ShippedScenes, AShoeBringsGrainsToTheDie) {
+  const World w = Runs(scene("die_filling_2d"), "", 1).run({"fill[0].count=60", "run.time=0.65"});
+  std::size_t in_the_die = 0;
+  for (const contact::Motion& m : w.particles.motion) {
+    const dem::Vec3d& x = m.position;
+    const bool over_the_die = x.x > 0 && x.x < 0.04;
+    EXPECT_GT(x.y, over_the_die ? -0.09 : 0.0);
+    if (over_the_die && x.y < 0) ++in_the_die;
+  }
+  EXPECT_EQ(w.particles.count(), 60u);
+  EXPECT_GE(in_the_die, 30u);
+}
+
 }  // namespace
