@@ -108,13 +108,6 @@ struct Placed<shapes::Line> {
   Vec3d normal;  // unit, z = 0, out of the solid; the line passes through the body's origin
 };
 template <>
-struct Placed<shapes::Polyline> {  // one side of a polyline wall: the part that a contact record belongs to
-  const shapes::Polyline* polyline;
-  std::uint32_t side;
-  double scale;
-  double cosine, sine;
-};
-template <>
 struct Placed<shapes::Mesh> {  // one facet of a mesh wall: the part that a contact record belongs to
   const shapes::Mesh* mesh;
   std::uint32_t facet;

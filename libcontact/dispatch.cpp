@@ -94,7 +94,7 @@ static_assert(names_are_unique());
 
 bool geometry_is_there(const Body& b) {
   if (b.kind == Kind::polyhedron || b.kind == Kind::rounded_polyhedron || b.kind == Kind::potential_particle ||
-      b.kind == Kind::polygon || b.kind == Kind::polyline)
+      b.kind == Kind::polygon)
     return b.geometry != nullptr;
   if (b.kind == Kind::mesh)
     return b.geometry != nullptr && b.part < static_cast<const shapes::Mesh*>(b.geometry)->facets.size();

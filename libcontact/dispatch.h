@@ -14,7 +14,7 @@ namespace contact {
 // A placed body of any kind, as chunks carry it: trivially copyable, no ownership.
 struct Body {
   shapes::Kind kind = shapes::Kind::sphere;
-  std::uint32_t part = 0;              // mesh: facet; polyline: side
+  std::uint32_t part = 0;              // mesh: facet
   const void* geometry = nullptr;      // the shape of kinds that are not given by `size` alone
   Vec3d size{};                        // sphere, disc: (radius, -, -); ellipsoid: semi-axes; ellipse: (a, b, -);
                                        // rounded polyhedron: (scale, rounding radius, -); others: (scale, -, -)
@@ -40,8 +40,6 @@ Placed<S> placed(const Body& b) {
   if constexpr (std::is_same_v<S, shapes::Polygon>)
     return {static_cast<const shapes::Polygon*>(b.geometry), b.size.x, cosine, sine};
   if constexpr (std::is_same_v<S, shapes::Line>) return {b.rotation.column(1)};
-  if constexpr (std::is_same_v<S, shapes::Polyline>)
-    return {static_cast<const shapes::Polyline*>(b.geometry), b.part, b.size.x, cosine, sine};
 }
 
 // Answers n pairs of one bin: out[i] for (a[i], b[i], offset[i]); cache may be null, else n entries.

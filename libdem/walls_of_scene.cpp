@@ -5,6 +5,7 @@
 #include "libdem/io/io.h"
 #include "shapes/mesh_build.h"
 #include "shapes/mesh_generate.h"
+#include "shapes/polygon_band.h"
 #include "shapes/polygon_build.h"
 #include "shapes/polyhedron_build.h"
 
@@ -76,17 +77,27 @@ void prepare_servo(Wall& w) {
                 "wall \"" + m.name + "\" has no area along wall.axis: give wall.area (m^2) or target_force (N)");
 }
 
-// A convex polygon of the plane, from its vertices in world coordinates; its centroid becomes the wall's origin.
-void make_block(const WallSpec& s, Wall& w) {
-  const shapes::Polygon outline = shapes::polygon_from_outline(s.vertices);
-  if (!outline.convex) throw shapes::Error("the polygon is not convex; allowed: convex polygons");
+// A polygon of the plane, or the band along a chain, from its vertices in world coordinates; its centroid becomes the
+// wall's origin.
+void make_polygon(const WallSpec& s, Wall& w) {
+  const auto polygon = [&](const std::vector<Vec3d>& vertices) {
+    return s.kind == "polyline" ? shapes::band_along(vertices, s.depth, s.closed)
+                                : shapes::polygon_from_outline(vertices);
+  };
   w.kind = shapes::Kind::polygon;
-  w.reference = outline.centroid;
-  w.polygon = std::make_shared<const shapes::Polygon>(shapes::centred(outline));
+  w.reference = polygon(s.vertices).centroid;
+  std::vector<Vec3d> vertices = s.vertices;
+  for (Vec3d& v : vertices) v -= w.reference;
+  w.polygon = std::make_shared<const shapes::Polygon>(polygon(vertices));
   w.extent = w.polygon->circumradius;
-  std::vector<std::uint32_t> fan;
-  for (std::uint32_t k = 2; k < w.polygon->vertices.size(); ++k) fan.insert(fan.end(), {0, k - 1, k});
-  w.mesh = std::make_shared<const shapes::Mesh>(shapes::mesh_from_triangles(w.polygon->vertices, fan));
+  std::vector<Vec3d> corners;
+  std::vector<std::uint32_t> fans;
+  for (const shapes::Polygon::Part& part : w.polygon->parts) {
+    const auto first = static_cast<std::uint32_t>(corners.size());
+    corners.insert(corners.end(), part.vertices.begin(), part.vertices.end());
+    for (std::uint32_t k = first + 2; k < corners.size(); ++k) fans.insert(fans.end(), {first, k - 1, k});
+  }
+  w.mesh = std::make_shared<const shapes::Mesh>(shapes::mesh_from_triangles(corners, fans));
 }
 
 }  // namespace
@@ -111,9 +122,9 @@ Wall make_wall(const WallSpec& s, std::uint32_t material) {
     w.reference_orientation =
         n.z > -0.5 ? shapes::normalized(Quatd{1 + n.z, -n.y, n.x, 0}) : shapes::normalized(Quatd{n.y, 1 - n.z, 0, n.x});
     if (n.z <= -0.5 && n.x == 0 && n.y == 0) w.reference_orientation = {0, 1, 0, 0};
-  } else if (s.kind == "polygon") {
+  } else if (s.kind == "polygon" || s.kind == "polyline") {
     try {
-      make_block(s, w);
+      make_polygon(s, w);
     } catch (const shapes::Error& error) {
       input_error(s.where, "wall \"" + s.name + "\": " + error.what());
     }

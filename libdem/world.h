@@ -50,7 +50,7 @@ struct Wall {
   shapes::Kind kind = shapes::Kind::plane;
   std::uint32_t material = 0;
   std::shared_ptr<const shapes::Mesh> mesh;        // kind mesh; of a polygon: its area, for files and pictures
-  std::shared_ptr<const shapes::Polygon> polygon;  // kind polygon: convex, its centroid is the origin
+  std::shared_ptr<const shapes::Polygon> polygon;  // kind polygon: its centroid is the origin
   WallSpec motion;                                 // prescribed motion
   Vec3d position{};                                // of its origin, m (mesh: body frame origin; plane: a point on it)
   Quatd orientation{};                             // body -> world
@@ -67,6 +67,7 @@ struct Wall {
   Vec3d push{};             // servo: unit, along which it pushes
   double target = 0;        // servo: N
   double resistance = 0;    // servo: N s/m, of the bodies that it last touched; see walls.cpp
+  bool meets_in_regions() const { return polygon && !polygon->convex; }
 };
 
 struct Counters {

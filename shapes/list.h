@@ -18,7 +18,6 @@
 #include "shapes/plane.h"
 #include "shapes/polygon.h"
 #include "shapes/polyhedron.h"
-#include "shapes/polyline.h"
 #include "shapes/potential_particle.h"
 #include "shapes/rounded_polyhedron.h"
 #include "shapes/sphere.h"
@@ -27,7 +26,7 @@ namespace shapes {
 
 // Bodies first, walls last; pairs of kinds are stated in this order.
 using List = std::tuple<Sphere, Ellipsoid, Polyhedron, RoundedPolyhedron, PotentialParticle, Compound, Disc, Ellipse,
-                        Polygon, Plane, Mesh, Line, Polyline>;
+                        Polygon, Plane, Mesh, Line>;
 inline constexpr std::size_t kind_count = std::tuple_size_v<List>;
 
 enum class Kind : std::uint8_t {
@@ -42,8 +41,7 @@ enum class Kind : std::uint8_t {
   polygon,
   plane,
   mesh,
-  line,
-  polyline
+  line
 };
 
 template <class S>
@@ -56,7 +54,7 @@ constexpr Kind kind_of() {
   return static_cast<Kind>(position(std::make_index_sequence<kind_count>{}));
 }
 static_assert(kind_of<Sphere>() == Kind::sphere && kind_of<Disc>() == Kind::disc && kind_of<Plane>() == Kind::plane &&
-              kind_of<Polyline>() == Kind::polyline);
+              kind_of<Line>() == Kind::line);
 
 constexpr const char* name_of(Kind k) {
   constexpr auto names = []<class... S>(std::tuple<S...>*) {
@@ -67,8 +65,6 @@ constexpr const char* name_of(Kind k) {
 
 constexpr bool is_wall(Kind k) { return k >= Kind::plane; }
 // Kinds of two-dimensional scenes live in the plane z = 0; the two never meet.
-constexpr int dimension_of(Kind k) {
-  return (k >= Kind::disc && k <= Kind::polygon) || k == Kind::line || k == Kind::polyline ? 2 : 3;
-}
+constexpr int dimension_of(Kind k) { return (k >= Kind::disc && k <= Kind::polygon) || k == Kind::line ? 2 : 3; }
 
 }  // namespace shapes

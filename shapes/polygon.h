@@ -4,6 +4,9 @@
 // A polygon that is not convex is cut into convex parts, from every reflex corner along its bisector to the first wall
 // or earlier cut (shapes/polygon_parts.h). The cuts follow from the outline alone: however a body was put together, it
 // is the same body. What is an edge of the outline and what is a cut stays known.
+//
+// Bands along chains (shapes/polygon_band.h) are walls alone: their vertices begin with the chain, and a closed one is
+// a ring, with a second border about its hole.
 #pragma once
 
 #include <cstdint>
@@ -42,6 +45,15 @@ struct Polygon {
   double circumradius = 0;      // m, largest |vertex|
   double inscribed_radius = 0;  // m, least distance from the origin to an edge's line where convex; 0 otherwise
   bool convex = false;
+  std::uint32_t second_border = 0;  // its first vertex; of an outline, which has one border: the number of vertices
+
+  // The neighbours of a vertex along its border.
+  std::uint32_t next(std::uint32_t i) const {
+    return i + 1 == second_border ? 0 : i + 1 == vertices.size() ? second_border : i + 1;
+  }
+  std::uint32_t before(std::uint32_t i) const {
+    return i == 0 ? second_border - 1 : (i == second_border ? static_cast<std::uint32_t>(vertices.size()) : i) - 1;
+  }
 };
 
 }  // namespace shapes

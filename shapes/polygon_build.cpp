@@ -60,31 +60,6 @@ void drop_idle_vertices(std::vector<Vec3d>& v) {
   }
 }
 
-// Every length times 2^exponent.
-void to_units(Polygon& p, int exponent) {
-  const auto points = [&](std::vector<Vec3d>& list) {
-    for (Vec3d& x : list) x = convex::times_two_to(x, exponent);
-  };
-  const auto lengths = [&](std::vector<double>& list) {
-    for (double& x : list) x = std::ldexp(x, exponent);
-  };
-  points(p.vertices);
-  lengths(p.offsets);
-  for (Polygon::Part& part : p.parts) {
-    points(part.vertices);
-    lengths(part.offsets);
-    part.centre = convex::times_two_to(part.centre, exponent);
-    part.radius = std::ldexp(part.radius, exponent);
-  }
-  for (Polygon::Seam& seam : p.seams)
-    for (Vec3d& x : seam.end) x = convex::times_two_to(x, exponent);
-  p.area = std::ldexp(p.area, 2 * exponent);
-  p.centroid = convex::times_two_to(p.centroid, exponent);
-  p.second_moment = std::ldexp(p.second_moment, 4 * exponent);
-  p.circumradius = std::ldexp(p.circumradius, exponent);
-  p.inscribed_radius = std::ldexp(p.inscribed_radius, exponent);
-}
-
 Polygon finish(std::vector<Vec3d> v, int exponent) {
   drop_idle_vertices(v);
   const std::size_t n = v.size();
@@ -128,6 +103,7 @@ Polygon finish(std::vector<Vec3d> v, int exponent) {
   p.second_moment = moment;
   if (p.convex) p.inscribed_radius = *std::min_element(p.offsets.begin(), p.offsets.end());
   p.vertices = std::move(v);
+  p.second_border = static_cast<std::uint32_t>(n);
   cut_into_parts(p);
   to_units(p, exponent);
   return p;

@@ -99,7 +99,6 @@ void split(const Loop& l, std::size_t i, const Hit& hit, std::uint32_t cut, Loop
 
 Polygon::Part part_of(const Polygon& p, const Loop& l, const std::vector<Cut>& cuts) {
   Polygon::Part part;
-  Vec3d low = l.vertices[0], high = low;
   for (std::size_t k = 0; k < l.size(); ++k) {
     const Side& side = l.sides[k];
     const bool outer = side.edge != none;
@@ -108,13 +107,8 @@ Polygon::Part part_of(const Polygon& p, const Loop& l, const std::vector<Cut>& c
     const double sign = side.second ? -1 : 1;
     part.normals.push_back(outer ? p.normals[side.edge] : sign * cuts[side.cut].normal);
     part.offsets.push_back(outer ? p.offsets[side.edge] : sign * cuts[side.cut].offset);
-    for (int d = 0; d < 2; ++d) {
-      low[d] = std::min(low[d], l.vertices[k][d]);
-      high[d] = std::max(high[d], l.vertices[k][d]);
-    }
   }
-  part.centre = 0.5 * (low + high);
-  for (const Vec3d& v : part.vertices) part.radius = std::max(part.radius, norm(v - part.centre));
+  add_circle(part);
   return part;
 }
 
@@ -148,6 +142,41 @@ void add_seams(Polygon& p, const std::vector<Loop>& loops, const std::vector<Cut
 }
 
 }  // namespace
+
+void add_circle(Polygon::Part& part) {
+  Vec3d low = part.vertices[0], high = low;
+  for (const Vec3d& v : part.vertices)
+    for (int d = 0; d < 2; ++d) {
+      low[d] = std::min(low[d], v[d]);
+      high[d] = std::max(high[d], v[d]);
+    }
+  part.centre = 0.5 * (low + high);
+  for (const Vec3d& v : part.vertices) part.radius = std::max(part.radius, norm(v - part.centre));
+}
+
+void to_units(Polygon& p, int exponent) {
+  const auto points = [&](std::vector<Vec3d>& list) {
+    for (Vec3d& x : list) x = convex::times_two_to(x, exponent);
+  };
+  const auto lengths = [&](std::vector<double>& list) {
+    for (double& x : list) x = std::ldexp(x, exponent);
+  };
+  points(p.vertices);
+  lengths(p.offsets);
+  for (Polygon::Part& part : p.parts) {
+    points(part.vertices);
+    lengths(part.offsets);
+    part.centre = convex::times_two_to(part.centre, exponent);
+    part.radius = std::ldexp(part.radius, exponent);
+  }
+  for (Polygon::Seam& seam : p.seams)
+    for (Vec3d& x : seam.end) x = convex::times_two_to(x, exponent);
+  p.area = std::ldexp(p.area, 2 * exponent);
+  p.centroid = convex::times_two_to(p.centroid, exponent);
+  p.second_moment = std::ldexp(p.second_moment, 4 * exponent);
+  p.circumradius = std::ldexp(p.circumradius, exponent);
+  p.inscribed_radius = std::ldexp(p.inscribed_radius, exponent);
+}
 
 void cut_into_parts(Polygon& p) {
   Loop whole;

@@ -16,4 +16,8 @@ namespace shapes {
 // Fills parts and seams of a polygon whose vertices, normals, offsets and convexity are there; lengths near 1.
 void cut_into_parts(Polygon& p);
 
+// What builders that make parts share: the circle about a part's vertices, and every length times 2^exponent.
+void add_circle(Polygon::Part& part);
+void to_units(Polygon& p, int exponent);
+
 }  // namespace shapes

@@ -14,8 +14,9 @@
 // to a second edge, and at once, with the depth that it has, where a corner has slid past a reflex corner beneath the
 // surface.
 //
-// Bounds: 32 eps L on (2)–(4). Cost: pairs of parts whose circles meet, each a clip. Not on the heap while polygons
-// have up to 16 corners and 16 parts. Tests: tests/libcontact/polygon_regions.cpp.
+// Bounds: 32 eps L on (2)–(4). Cost: pairs of parts whose circles meet, each a clip, and a few operations for every
+// other part. Not on the heap while convex parts have up to 16 corners, polygons up to 64 parts, and no more than 16
+// pairs of parts overlap. Tests: tests/libcontact/polygon_regions.cpp.
 #pragma once
 
 #include <cstddef>

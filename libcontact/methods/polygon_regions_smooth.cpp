@@ -123,7 +123,6 @@ class SmoothPair {
   template <class Accept>
   void edges_and_corners(const Part& part, bool all, Accept&& accept) const {
     const Polygon& shape = b_.shape;
-    const auto n = static_cast<std::uint32_t>(shape.vertices.size());
     for (std::size_t k = 0; k < part.vertices.size(); ++k) {
       const std::uint32_t e = part.edge[k];
       if (e == no_edge) continue;
@@ -132,10 +131,10 @@ class SmoothPair {
       if (!all && !crosses(p, q, 0)) continue;
       const Vec3d out = b_.edge_normal(e);
       accept(a_.edge(out, b_.edge_height(e, out)));
-      for (const std::uint32_t c : {e, e + 1 == n ? 0 : e + 1}) {
+      for (const std::uint32_t c : {e, shape.next(e)}) {
         const Vec3d v = b_.place.point(shape.vertices[c]);
         if (!holds(v)) continue;
-        const Vec3d before = b_.edge_normal(c == 0 ? n - 1 : c - 1), after = b_.edge_normal(c);
+        const Vec3d before = b_.edge_normal(shape.before(c)), after = b_.edge_normal(c);
         a_.corner(v, [&](const Witness& w) {
           if (in_cone(before, after, -w.normal)) accept(w);
         });

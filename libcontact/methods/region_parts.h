@@ -7,7 +7,7 @@
 
 namespace contact {
 
-using Marks = ShortList<char, 16>;  // one per part or seam
+using Marks = ShortList<char, 64>;  // one per part or seam
 constexpr std::uint32_t no_edge = shapes::Polygon::none;
 
 // Pieces joined into groups; a group is known by its first piece.
@@ -24,7 +24,7 @@ class Groups {
   }
 
  private:
-  ShortList<std::uint32_t, 32> first_;
+  ShortList<std::uint32_t, 64> first_;
 };
 
 // Some material of a polygon: how deep its deepest corner lies behind a line, and that corner.

@@ -23,11 +23,14 @@ inline bool near_facet(const shapes::Mesh::Facet& f, const Vec3d& x, double reac
   return d2 < reach * reach && height < reach && height > -reach;
 }
 
-// Likewise of a convex polygon: whether the circle reaches over every edge's line.
+// Likewise of a polygon: whether the circle reaches over the line of every side of one of its convex parts.
 inline bool near_polygon(const shapes::Polygon& p, const Vec3d& x, double reach) {
-  for (std::size_t e = 0; e < p.normals.size(); ++e)
-    if (dot(p.normals[e], x) - p.offsets[e] >= reach) return false;
-  return true;
+  const auto near = [&](const shapes::Polygon::Part& part) {
+    for (std::size_t k = 0; k < part.normals.size(); ++k)
+      if (dot(part.normals[k], x) - part.offsets[k] >= reach) return false;
+    return true;
+  };
+  return std::any_of(p.parts.begin(), p.parts.end(), near);
 }
 
 }  // namespace dem

@@ -59,7 +59,7 @@ void wall_candidates(const World& world, std::size_t i, const std::vector<shapes
     }
     const Vec3d x = transposed_times(frames[w], d);
     if (wall.polygon) {
-      if (near_polygon(*wall.polygon, x, reach)) add_records(record, regions, row);
+      if (near_polygon(*wall.polygon, x, reach)) add_records(record, regions || wall.meets_in_regions(), row);
       continue;
     }
     for (std::size_t f = 0; f < wall.mesh->facets.size(); ++f) {
@@ -178,8 +178,9 @@ void fill_bins(World& world) {
     const shapes::Kind a = p.kind[c.index_a[k]];
     const shapes::Kind b = wall ? world.walls[c.index_b[k]].kind : p.kind[c.index_b[k]];
     if (a == shapes::Kind::compound || b == shapes::Kind::compound) continue;
-    const bool regions = !in_regions.empty() &&
-                         (in_regions[p.shape[c.index_a[k]]] != 0 || (!wall && in_regions[p.shape[c.index_b[k]]] != 0));
+    const auto of_shape = [&](std::uint32_t i) { return !in_regions.empty() && in_regions[p.shape[i]] != 0; };
+    const bool regions =
+        of_shape(c.index_a[k]) || (wall ? world.walls[c.index_b[k]].meets_in_regions() : of_shape(c.index_b[k]));
     const std::size_t set = static_cast<std::size_t>(a) + (regions ? shapes::kind_count : 0);
     int& bin = bin_of[set * shapes::kind_count + static_cast<std::size_t>(b)];
     if (bin < 0) {

@@ -88,7 +88,10 @@ void print_walls(const World& world) {
   for (const Wall& w : world.walls) {
     std::string text = fmt::format("{}, {}", w.motion.kind, motions[static_cast<std::size_t>(w.motion.motion)]);
     if (w.motion.motion == WallMotion::servo) text += fmt::format(" that keeps {:.4g} N", w.target);
-    if (w.mesh) text += fmt::format(", {} triangles in {} facets", w.mesh->triangles.size() / 3, w.mesh->facets.size());
+    if (w.polygon) text += fmt::format(", {} vertices", w.polygon->vertices.size());
+    if (w.meets_in_regions()) text += fmt::format(", not convex: {} convex parts", w.polygon->parts.size());
+    if (w.mesh && !w.polygon)
+      text += fmt::format(", {} triangles in {} facets", w.mesh->triangles.size() / 3, w.mesh->facets.size());
     if (std::isfinite(w.motion.remove_at)) text += fmt::format(", removed at {:.4g} s", w.motion.remove_at);
     line(w.name, text);
   }

@@ -100,8 +100,10 @@ void print_law(const World& world) {
   const auto& bodies_of = world.particles.kind;
   if (std::find(bodies_of.begin(), bodies_of.end(), shapes::Kind::compound) != bodies_of.end())
     line("parts", "on: contacts of parts that join share one stiffness and one history; inner faces give none");
-  const bool regions = std::any_of(world.particles.shape.begin(), world.particles.shape.end(),
-                                   [&](std::uint32_t shape) { return world.shapes[shape].meets_in_regions(); });
+  const bool regions =
+      std::any_of(world.particles.shape.begin(), world.particles.shape.end(),
+                  [&](std::uint32_t shape) { return world.shapes[shape].meets_in_regions(); }) ||
+      std::any_of(world.walls.begin(), world.walls.end(), [](const Wall& w) { return w.meets_in_regions(); });
   if (regions)
     line("regions", fmt::format("on: polygons that are not convex touch in up to {} places of a pair; cuts give none",
                                 contact::max_regions));

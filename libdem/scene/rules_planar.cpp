@@ -13,7 +13,8 @@ namespace {
 constexpr const char* planar_note = "world.dimension = 2 keeps everything in the plane z = 0";
 
 bool is_planar_kind(const std::string& kind) {
-  return kind == "disc" || kind == "ellipse" || kind == "polygon" || kind == "regular_polygon" || kind == "line";
+  return kind == "disc" || kind == "ellipse" || kind == "polygon" || kind == "regular_polygon" || kind == "line" ||
+         kind == "polyline";
 }
 
 class PlanarRules {
@@ -26,7 +27,8 @@ class PlanarRules {
     for (std::size_t i = 0; i < scene_.shapes.size(); ++i)
       if (scene_.shapes[i].kind == "polygon") outline(i);
     for (std::size_t i = 0; i < scene_.walls.size(); ++i)
-      if (scene_.walls[i].kind == "polygon") corners("wall", i, "vertices", scene_.walls[i].vertices, "");
+      if (const WallSpec& w = scene_.walls[i]; w.kind == "polygon" || w.kind == "polyline")
+        corners("wall", i, "vertices", w.vertices, "", w.kind == "polyline" && !w.closed ? 2 : 3);
     for (std::size_t i = 0; i < scene_.walls.size(); ++i) kind("wall", i, scene_.walls[i].kind);
     mass();
     if (!planar_) return;
@@ -82,7 +84,7 @@ class PlanarRules {
     const bool shape = std::string(table) == "shape";
     wrong(table, i, "kind",
           planar_ ? fmt::format("a 2-D scene allows {}",
-                                shape ? "disc, ellipse, polygon, regular_polygon" : "line, polygon")
+                                shape ? "disc, ellipse, polygon, regular_polygon" : "line, polygon, polyline")
                   : "is for 2-D scenes: set world.dimension = 2");
   }
 
@@ -97,10 +99,10 @@ class PlanarRules {
       corners("shape", i, "pieces", s.pieces[k], fmt::format(" of piece {}", k));
   }
 
-  void corners(const char* table, std::size_t i, const char* key, const std::vector<Vec3d>& list,
-               const std::string& of) {
-    if (list.size() < 3)
-      return wrong(table, i, key, fmt::format("at least 3 vertices are needed{}, found {}", of, list.size()));
+  void corners(const char* table, std::size_t i, const char* key, const std::vector<Vec3d>& list, const std::string& of,
+               std::size_t least = 3) {
+    if (list.size() < least)
+      return wrong(table, i, key, fmt::format("at least {} vertices are needed{}, found {}", least, of, list.size()));
     for (std::size_t k = 0; k < list.size(); ++k)
       if (list[k].z != 0)
         return wrong(table, i, key, fmt::format("z of vertex {}{} must be 0: {}", k, of, planar_note));

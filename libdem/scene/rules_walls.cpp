@@ -86,7 +86,8 @@ void servo_motion(const RuleContext& c, std::size_t i) {
   c.nonzero("wall", i, "axis", w.axis);
   if ((w.target_force > 0) == (w.target_pressure > 0))
     c.wrong("wall", i, nullptr, fmt::format("\"{}\" needs either target_force (N) or target_pressure (Pa)", w.name));
-  if (w.target_pressure > 0 && w.area == 0 && (w.kind == "plane" || w.kind == "line" || w.kind == "polygon"))
+  const bool flat = w.kind == "plane" || w.kind == "line" || w.kind == "polygon" || w.kind == "polyline";
+  if (w.target_pressure > 0 && w.area == 0 && flat)
     c.wrong("wall", i, nullptr, fmt::format("\"{}\" needs area (m^2): a {} has none of its own", w.name, w.kind));
   if (w.target_force > 0 && w.area > 0) c.wrong("wall", i, "area", "only goes with wall.target_pressure");
 }

@@ -125,6 +125,8 @@ struct WallSpec {
   double scale = 1;
   std::vector<Vec3d> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  double depth = 0;                        // polyline: of the solid behind it, m
+  bool closed = false;                     // polyline: its last vertex is joined to the first
   Vec3d corner{}, side_1{}, side_2{};      // panel: m
   Vec3d lower{}, upper{};                  // box, die: m
   std::vector<std::string> open;           // faces left out

@@ -128,8 +128,10 @@ std::vector<Key> wall_keys() {
       value<&WallSpec::name>("name", "", "Name in messages and output.").own_name(),
       value<&WallSpec::kind>(
           "kind", "",
-          "Infinite plane (2-D: line, or a convex polygon), triangle mesh, or a mesh made of a few numbers.")
-          .one_of({"plane", "line", "polygon", "mesh", "panel", "box", "cylinder", "cone", "drum", "die", "v_shell"})
+          "Infinite plane (2-D: line, polygon, or a polyline with solid on one side), triangle mesh, or a mesh made of "
+          "a few numbers.")
+          .one_of({"plane", "line", "polygon", "polyline", "mesh", "panel", "box", "cylinder", "cone", "drum", "die",
+                   "v_shell"})
           .must(),
       value<&WallSpec::material>("material", "", "Its material.").refers("material").must(),
       value<&WallSpec::point>("point", "m", "A point on the plane or line.").when("kind", {"plane", "line"}).must(),
@@ -140,9 +142,20 @@ std::vector<Key> wall_keys() {
           .as_file()
           .when("kind", {"mesh"}),
       value<&WallSpec::scale>("scale", "", "Factor on the coordinates of the mesh.").above(0).when("kind", {"mesh"}),
-      value<&WallSpec::vertices>("vertices", "m", "Vertices of the mesh, or of the convex polygon in order.")
-          .when("kind", {"mesh", "polygon"})
-          .must_for({"polygon"}),
+      value<&WallSpec::vertices>("vertices", "m",
+                                 "Vertices of the mesh; of the polygon, in order; of the polyline, with the bodies on "
+                                 "the left of the way from one to the next.")
+          .when("kind", {"mesh", "polygon", "polyline"})
+          .must_for({"polygon", "polyline"}),
+      value<&WallSpec::depth>("depth", "m",
+                              "How deep the solid is on the right of the polyline; its back is a wall too.")
+          .above(0)
+          .when("kind", {"polyline"})
+          .must(),
+      value<&WallSpec::closed>("closed", "",
+                               "Whether the last vertex is joined to the first: a ring; counter-clockwise, the bodies "
+                               "are within.")
+          .when("kind", {"polyline"}),
       value<&WallSpec::triangles>("triangles", "", "Triangles as indices of vertices, from 0.")
           .from(0)
           .to(4294967295.0)

@@ -41,6 +41,17 @@ inline ShapeSpec regular_polygon(const std::string& name, int sides, double circ
   s.circumradius = circumradius;
   return s;
 }
+inline WallSpec polyline(const std::string& name, const std::vector<Vec3d>& vertices, double depth,
+                         bool closed = false) {
+  WallSpec w;
+  w.name = name;
+  w.kind = "polyline";
+  w.material = "soft";
+  w.vertices = vertices;
+  w.depth = depth;
+  w.closed = closed;
+  return w;
+}
 inline WallSpec line(const std::string& name, const Vec3d& point, const Vec3d& normal) {
   WallSpec w = plane(name, "soft", point, normal);
   w.kind = "line";
@@ -96,6 +107,10 @@ inline Scene planar_restated(Scene s, int l, int m, int t) {
   }
   for (WallSpec& w : s.walls) {
     w.point *= length;
+    w.depth *= length;
+    w.centre *= length;
+    w.velocity *= length / time;
+    w.rate *= 1 / time;
     for (Vec3d& v : w.vertices) v *= length;
   }
   for (FillSpec& f : s.fills) {

@@ -48,6 +48,7 @@ void PrintTo(const BadInput& b, std::ostream* out) { *out << b.name; }
 #define CORNERS "[[0, 0, 0], [0.02, 0, 0], [0.01, 0.02, 0]]"
 
 #define LINE "kind = \"line\"\nmaterial = \"stone\"\npoint = [0, 0, 0]\nnormal = [0, 1, 0]"
+#define CHAIN "kind = \"polyline\"\nmaterial = \"stone\"\ndepth = 0.1\nvertices = "
 #define BLOCK "kind = \"polygon\"\nmaterial = \"stone\"\nvertices = "
 
 const std::vector<BadInput> inputs{
@@ -56,10 +57,10 @@ const std::vector<BadInput> inputs{
      LINE,
      BLOCK "[[0, 0, 0], [1, 0, 0], [0, 0, 1]]",
      {"scene.toml:21:12", "wall.vertices", "z of vertex 2 must be 0"}},
-    {"wall_that_is_not_convex",
+    {"wall_that_crosses_itself",
      LINE,
-     BLOCK "[[-1, -1, 0], [1, -1, 0], [0, -0.5, 0], [0, -0.1, 0]]",
-     {"wall \"floor\"", "not convex; allowed: convex polygons"}},
+     BLOCK "[[-1, -1, 0], [1, -0.1, 0], [1, -1, 0], [-1, -0.1, 0]]",
+     {"wall \"floor\"", "must not cross or touch itself"}},
     {"wall_of_two_corners",
      LINE,
      BLOCK "[[-1, -1, 0], [1, -1, 0]]",
@@ -68,6 +69,41 @@ const std::vector<BadInput> inputs{
      LINE,
      BLOCK "[[-1, -1, 0], [1, -1, 0], [0, 0, 0]]\nnormal = [0, 1, 0]",
      {"wall.normal", "only"}},
+    {"chain_of_one_vertex", LINE, CHAIN "[[0, 0, 0]]", {"wall.vertices", "at least 2 vertices", "found 1"}},
+    {"closed_chain_of_two_vertices",
+     LINE,
+     CHAIN "[[0, 0, 0], [1, 0, 0]]\nclosed = true",
+     {"scene.toml:22:12", "at least 3 vertices", "found 2"}},
+    {"chain_without_depth",
+     LINE,
+     "kind = \"polyline\"\nmaterial = \"stone\"\nvertices = [[0, 0, 0], [1, 0, 0]]",
+     {"wall.depth", "missing"}},
+    {"chain_of_no_depth",
+     LINE,
+     "kind = \"polyline\"\nmaterial = \"stone\"\ndepth = 0\nvertices = [[0, 0, 0], [1, 0, 0]]",
+     {"scene.toml:21:9", "wall.depth = 0", "allowed wall.depth > 0"}},
+    {"chain_off_the_plane", LINE, CHAIN "[[0, 0, 0], [1, 0, 0.5]]", {"scene.toml:22:12", "z of vertex 1 must be 0"}},
+    {"chain_with_a_vertex_twice",
+     LINE,
+     CHAIN "[[-1, 0, 0], [0, 0, 0], [0, 0, 0], [1, 1, 0]]",
+     {"wall \"floor\"", "vertices 1 and 2 are one point"}},
+    {"chain_that_ends_where_it_begins",
+     LINE,
+     CHAIN "[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 0]]",
+     {"wall \"floor\"", "ends at vertex 3 where it begins; allowed: closed = true, without that vertex"}},
+    {"chain_that_crosses_itself",
+     LINE,
+     CHAIN "[[0, 0, 0], [2, 2, 0], [2, 0, 0], [0, 2, 0]]",
+     {"the side from vertex 0 to 1 and the side from vertex 2 to 3 meet", "must not cross or touch itself"}},
+    {"chain_that_turns_back",
+     LINE,
+     CHAIN "[[0, 0, 0], [2, 0, 0], [1, 0, 0]]",
+     {"wall \"floor\"", "turns back on itself at vertex 1"}},
+    {"chain_too_deep_for_its_bends",
+     LINE,
+     CHAIN "[[-1, 0, 0], [0, 0, 0], [0, -0.15, 0], [-1, -0.15, 0]]",
+     {"depth is too large between the bends of the side from vertex 1 to 2; allowed: below 0.075 m"}},
+    {"line_that_is_closed", LINE, LINE "\nclosed = true", {"wall.closed", "only"}},
     {"polygon_of_two", CORNERS, "[[0, 0, 0], [0.02, 0, 0]]", {"scene.toml:16:12", "at least 3 vertices", "found 2"}},
     {"polygon_without_corners", "vertices = " CORNERS "\n", "", {"scene.toml:15", "needs either vertices or pieces"}},
     {"polygon_with_corners_and_pieces",
@@ -144,6 +180,19 @@ TEST(PlaneScene, is_accepted_as_it_stands) {
   const Outcome o = program::dem({"check", folder.write("scene.toml", plane_scene)});
   EXPECT_EQ(o.exit_code, 0) << o.err;
   EXPECT_NE(o.out.find("polygon, 3 vertices"), std::string::npos) << o.out;
+}
+
+TEST(PlaneScene, knows_chains_and_refuses_them_in_space) {
+  const Folder folder;
+  const std::string text = program::replaced(plane_scene, LINE, CHAIN "[[-1, 0.1, 0], [0, 0, 0], [1, 0.1, 0]]");
+  const Outcome o = program::dem({"check", folder.write("scene.toml", text)});
+  EXPECT_EQ(o.exit_code, 0) << o.err;
+  EXPECT_NE(o.out.find("polyline, fixed, 6 vertices, not convex: 2 convex parts"), std::string::npos) << o.out;
+  EXPECT_NE(o.out.find("regions       on"), std::string::npos) << o.out;
+  const std::string in_space = program::replaced(text, "dimension = 2\nthickness = 0.01\n", "");
+  const Outcome refused = program::dem({"check", folder.write("space.toml", in_space)});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("wall.kind = \"polyline\": is for 2-D scenes"), std::string::npos) << refused.err;
 }
 
 TEST_P(BadPlaneScene, IsRefusedWithItsPlaceAndNothingIsWritten) {
