@@ -1,0 +1,146 @@
+// The library's own ways to a pair, gather of the bodies and scatter of the answers included.
+#include <algorithm>
+#include <cmath>
+
+#include "bench/pairs/entries.h"
+#include "libcontact/kernels/chunk.h"
+#include "libcontact/methods/analytic.h"
+#include "libcontact/methods/planar.h"
+#include "libcontact/methods/support_newton.h"
+
+namespace pairs {
+
+namespace {
+
+using contact::Cache;
+using contact::Contact;
+using contact::Options;
+using shapes::Kind;
+
+// What a loop keeps of an answer.
+struct Kept {
+  Vec3d normal, point;
+  double gap;
+};
+
+// All that a subject reads and writes, allocated once.
+struct Work {
+  const Set& set;
+  contact::ChunkQuery query;
+  std::vector<Kept> kept;
+  std::vector<Cache> cache, scratch;  // as the first pose left them; a copy for the run
+  explicit Work(const Set& s)
+      : set(s), query(contact::find(s.a, s.b)), kept(s.list.size()), cache(s.list.size()), scratch(s.list.size()) {}
+};
+
+void keep(const Contact& c, Kept& k) { k = {c.normal, c.patch.centre, c.gap}; }
+
+// One pair after the other through one function.
+template <class Query>
+std::function<void()> one_by_one(const std::shared_ptr<Work>& w, Query query) {
+  return [w, query] {
+    const Body* bodies = w->set.bodies.data();
+    std::size_t i = 0;
+    for (const Pair& p : w->set.list) keep(query(bodies[p.a], bodies[p.b], p.offset), w->kept[i++]);
+  };
+}
+
+// Chunks through the door of dispatch.h, as libdem gathers them.
+template <bool next>
+void chunks(Work& w, const Options& options, Cache* cache) {
+  constexpr std::size_t chunk = 32;
+  static thread_local Body a[chunk], b[chunk];
+  static thread_local Vec3d offset[chunk];
+  static thread_local Contact out[chunk];
+  const std::vector<Pair>& list = w.set.list;
+  for (std::size_t first = 0; first < list.size(); first += chunk) {
+    const std::size_t n = std::min(chunk, list.size() - first);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Pair& p = list[first + i];
+      a[i] = w.set.bodies[p.a];
+      b[i] = w.set.bodies[next ? p.next_b : p.b];
+      offset[i] = next ? p.next_offset : p.offset;
+    }
+    w.query(n, a, b, offset, options, cache == nullptr ? nullptr : cache + first, out);
+    for (std::size_t i = 0; i < n; ++i) keep(out[i], w.kept[first + i]);
+  }
+}
+
+// Half the width of the proven interval, over the size: a bound of the error.
+void note_own_errors(Entry& e, const Set& set) {
+  std::vector<double> errors;
+  for (const Pair& p : set.list) {
+    const Contact c = contact::query(set.bodies[p.a], set.bodies[p.b], p.offset);
+    errors.push_back(0.5 * (c.gap_upper - c.gap_lower) / p.size);
+  }
+  note_errors(e, std::move(errors));
+}
+
+// Spheres as the loop of libdem holds them: positions and radii in records, answers in lanes.
+void add_packed_spheres(const Set& set, std::vector<Entry>& entries) {
+  namespace k = contact::kernels;
+  struct Packed {
+    std::vector<contact::Motion> motion;
+    std::vector<k::Index> a, b;
+    k::SphereChunk in;
+    k::LawChunk out;
+  };
+  auto w = std::make_shared<Packed>();
+  for (const Pair& p : set.list) {
+    w->a.push_back(static_cast<k::Index>(w->motion.size()));
+    w->b.push_back(w->a.back() + 1);
+    contact::Motion m;
+    m.bounding_radius = set.bodies[p.a].size.x;
+    m.inverse_mass = 1;
+    w->motion.push_back(m);
+    m.bounding_radius = set.bodies[p.b].size.x;
+    m.position = p.offset;
+    w->motion.push_back(m);
+  }
+  entries.push_back({&set, "own loop kernels", set.list.size(), [w] {
+                       const std::size_t all = w->a.size();
+                       for (std::size_t i = 0; i < all; i += k::chunk_size) {
+                         const std::size_t n = std::min(k::chunk_size, all - i);
+                         k::kernels().gather_spheres(w->motion.data(), &w->a[i], &w->b[i], n, w->in, w->out);
+                         k::kernels().spheres(w->in, w->out, n);
+                       }
+                     }});
+}
+
+}  // namespace
+
+void add_own(const Set& set, std::vector<Entry>& entries) {
+  const auto work = std::make_shared<Work>(set);
+  const auto add = [&](const char* subject, std::function<void()> run) -> Entry& {
+    return entries.emplace_back(Entry{&set, subject, set.list.size(), std::move(run)});
+  };
+  const auto scalar = [&]<class Method, class A, class B>() {
+    return one_by_one(work, [](const Body& a, const Body& b, const Vec3d& offset) {
+      return Method::query(contact::placed<A>(a), contact::placed<B>(b), offset, Options{}, nullptr);
+    });
+  };
+  std::function<void()> one;
+  if (set.a == Kind::sphere && set.b == Kind::sphere)
+    one = scalar.operator()<contact::Analytic, shapes::Sphere, shapes::Sphere>();
+  else if (set.a == Kind::ellipsoid && set.b == Kind::ellipsoid)
+    one = scalar.operator()<contact::SupportNewton, shapes::Ellipsoid, shapes::Ellipsoid>();
+  else if (set.a == Kind::ellipse && set.b == Kind::ellipse)
+    one = scalar.operator()<contact::Planar, shapes::Ellipse, shapes::Ellipse>();
+  else
+    one = one_by_one(work, [query = work->query](const Body& a, const Body& b, const Vec3d& offset) {
+      Contact c;
+      query(1, &a, &b, &offset, Options{}, nullptr, &c);
+      return c;
+    });
+  note_own_errors(add("own scalar", one), set);
+  add("own chunk", [work] { chunks<false>(*work, Options{}, nullptr); });
+  // What the loop asks: overlap only, with what the pose before left in the cache.
+  chunks<false>(*work, {.overlap_only = true}, work->cache.data());
+  add("own chunk cached", [work] {
+    std::copy(work->cache.begin(), work->cache.end(), work->scratch.begin());
+    chunks<true>(*work, {.overlap_only = true}, work->scratch.data());
+  });
+  if (set.a == Kind::sphere && set.b == Kind::sphere) add_packed_spheres(set, entries);
+}
+
+}  // namespace pairs
