@@ -115,7 +115,8 @@ void mix_materials(World& world) {
   const std::size_t n = world.materials.size();
   world.pairs.resize(n * n);
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) world.pairs[i * n + j] = contact::mix(world.materials[i], world.materials[j]);
+    for (std::size_t j = 0; j < n; ++j)
+      world.pairs[i * n + j] = contact::mix(world.materials[i], world.materials[j], world.scene.law.clip);
   for (const MaterialPairSpec& p : world.scene.pairs) {
     const std::size_t i = material_index(world, p.a, p.where), j = material_index(world, p.b, p.where);
     for (contact::PairParameters* q : {&world.pairs[i * n + j], &world.pairs[j * n + i]}) {
@@ -126,7 +127,7 @@ void mix_materials(World& world) {
       }
       if (!std::isnan(p.restitution)) {
         q->restitution = p.restitution;
-        q->damping = contact::clipped_damping(p.restitution);
+        q->damping = contact::damping_of(p.restitution, world.scene.law.clip);
       }
     }
   }

@@ -58,7 +58,7 @@ class ForcePass {
  public:
   ForcePass(World& world, double dt)
       : world_(world), c_(world.contacts), p_(world.particles), set_(contact::kernels::kernels()), dt_(dt) {
-    rescale_ = world.scene.law.rescale;
+    options_ = {world.scene.law.rescale, world.scene.law.clip};
     hertz_ = world.scene.law.name == LawName::hertz_mindlin;
     lattice_ = world.cell.periodic ? &world.cell.lattice : nullptr;
     for (const Wall& w : world.walls) {
@@ -116,7 +116,7 @@ class ForcePass {
   void run_law(LawChunk& l, std::size_t n, bool patch) const {
     const auto kernel = patch ? (hertz_ ? set_.hertz_mindlin_patch : set_.spring_dashpot_patch)
                               : (hertz_ ? set_.hertz_mindlin : set_.spring_dashpot);
-    kernel(l, n, dt_, rescale_);
+    kernel(l, n, dt_, options_);
   }
 
   // The n contacts that have been gathered: law, torques about the centres, back to their records.
@@ -206,7 +206,8 @@ class ForcePass {
   const Particles& p_;
   const KernelSet& set_;
   double dt_;
-  bool rescale_ = true, hertz_ = true;
+  contact::LawOptions options_;
+  bool hertz_ = true;
   const contact::Lattice* lattice_ = nullptr;  // null: bodies have no images
   std::vector<WallFrame> walls_;
 };

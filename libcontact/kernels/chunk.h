@@ -52,7 +52,7 @@ struct LawChunk {
   Lane3 couple_b;  // spheres: the torque on b
 };
 
-using LawKernel = void (*)(LawChunk& chunk, std::size_t count, double dt, bool rescale);
+using LawKernel = void (*)(LawChunk& chunk, std::size_t count, double dt, const LawOptions& options);
 using SphereKernel = void (*)(const SphereChunk& in, LawChunk& chunk, std::size_t count);
 using SphereTorqueKernel = void (*)(const SphereChunk& in, LawChunk& chunk, std::size_t count);
 

@@ -21,7 +21,7 @@ struct Kinematics {
   shapes::Vec3<T> slip;    // v − (v·n) n, m/s
   T radius_eff, mass_eff;  // R*, m; m*, kg
   T dt;                    // s, the step; 0: the force as it stands
-  T onset;                 // part of the step since δ = 0 when the contact began in it, else 0, –
+  T onset;  // part of the step in contact when it began in it or (not clipped) will end in it, else 0, –
 };
 
 // The closing speed at hand is that of half a step ago, v − a dt/2: with it the elastic force and the dashpot both act
@@ -39,7 +39,7 @@ T lag_factor(const T& damping, const T& mass_eff, const T& dt, double p) {
 
 template <class T>
 struct NormalForce {
-  T force;           // N, >= 0 for the laws without adhesion
+  T force;           // N, >= 0 where it is clipped
   T elastic;         // N, its elastic part
   T stiffness;       // dF/dδ of the elastic part, N/m
   T damping;         // c of the dashpot, N s/m

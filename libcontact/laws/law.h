@@ -23,8 +23,14 @@ struct PairParameters {
   double stiffness_n = 0;  // N/m (linear law)
   double stiffness_t = 0;  // N/m: kn · 2(1−ν)/(2−ν) = kn / κ with κ = E*/(4G*)
   double friction = 0;     // –
-  double damping = 0;      // β of the clipped end, e_clip(β) = restitution, –
+  double damping = 0;      // β that gives `restitution` with the end of contact that the law has (mix.h), –
   double restitution = 1;  // –
+};
+
+// What is one for all contacts of a scene.
+struct LawOptions {
+  bool rescale = true;  // shorten the tangential spring when the contact radius shrinks
+  bool clip = true;     // a contact ends at zero force; else at zero overlap: until then its dashpot may pull
 };
 
 // One contact record's memory, in world axes.

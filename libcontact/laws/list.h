@@ -16,8 +16,8 @@ struct SpringDashpot {
   using Normal = Linear;
   using Tangential = CoulombSpring;
   static constexpr const char* parameters = "stiffness (N/m), poisson, restitution, friction";
-  static constexpr const char* remark = "F = kn d + cn v, clipped at zero; kt = kn 2(1-nu)/(2-nu)";
-  static constexpr const char* source = "Cundall & Strack 1979; end of contact at F = 0";
+  static constexpr const char* remark = "F = kn d + cn v, clipped at zero or not; kt = kn 2(1-nu)/(2-nu)";
+  static constexpr const char* source = "Cundall & Strack 1979; end of contact at F = 0, or at d = 0";
 };
 
 struct HertzMindlin {
@@ -26,7 +26,7 @@ struct HertzMindlin {
   using Tangential = CoulombSpring;
   static constexpr const char* parameters = "young (Pa), poisson, restitution, friction";
   static constexpr const char* remark =
-      "F = 4/3 E* sqrt(R*) d^1.5 + Tsuji's dashpot, clipped; kt = 8 G* a, no micro-slip";
+      "F = 4/3 E* sqrt(R*) d^1.5 + Tsuji's dashpot, clipped or not; kt = 8 G* a, no micro-slip";
   static constexpr const char* source =
       "Mindlin 1949; Tsuji, Tanaka & Ishida 1992; rescaling on unloading: Agnolin & Roux 2007";
 };

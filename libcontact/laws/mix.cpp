@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace contact {
 
@@ -31,7 +32,13 @@ double clipped_damping(double restitution) {
   return 0.5 * (low + high);
 }
 
-PairParameters mix(const Material& a, const Material& b) {
+double unclipped_damping(double restitution) {
+  if (restitution <= 0) return 1;
+  const double l = -std::log(restitution);
+  return l / std::hypot(std::numbers::pi, l);
+}
+
+PairParameters mix(const Material& a, const Material& b, bool clip) {
   const auto compliance_e = [](const Material& m) { return m.rigid ? 0.0 : (1 - m.poisson * m.poisson) / m.young; };
   const auto compliance_g = [](const Material& m) {
     return m.rigid ? 0.0 : (2 - m.poisson) * 2 * (1 + m.poisson) / m.young;
@@ -50,7 +57,7 @@ PairParameters mix(const Material& a, const Material& b) {
   p.stiffness_t = p.stiffness_n * (moduli ? 4 * p.shear_eff / p.young_eff : 2 * (1 - nu) / (2 - nu));
   p.friction = std::min(a.friction, b.friction);
   p.restitution = std::min(a.restitution, b.restitution);
-  p.damping = clipped_damping(p.restitution);
+  p.damping = damping_of(p.restitution, clip);
   return p;
 }
 

@@ -91,7 +91,9 @@ void print_law(const World& world) {
   else
     line("tangential", hertz ? fmt::format("Mindlin, no slip, rescale {}", law.rescale) : "linear spring");
   line("friction", share(rough, "Coulomb", "off: every pair of materials has friction 0"));
-  line("damping", share(damped, "dashpot", "off: every pair has restitution 1"));
+  line("damping",
+       share(damped, law.clip ? "dashpot, contacts end at zero force" : "dashpot, contacts end at zero overlap",
+             "off: every pair has restitution 1"));
   const std::set<shapes::Kind> kinds = kinds_in_contact(world);
   const bool flat = std::any_of(kinds.begin(), kinds.end(), [](shapes::Kind k) {
     return k == shapes::Kind::polyhedron || k == shapes::Kind::rounded_polyhedron || k == shapes::Kind::polygon;

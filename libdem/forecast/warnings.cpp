@@ -71,7 +71,7 @@ void material_hints(const World& world, Warnings& hints) {
     if (m.young > 0 && m.young < 1e4)
       hints.push_back(fmt::format("\"{}\": young {:.3g} Pa: is it in GPa or MPa? It must be in Pa", m.name, m.young));
     if (m.young > 2e12) hints.push_back(fmt::format("\"{}\": young {:.3g} Pa is more than diamond's", m.name, m.young));
-    if (m.friction > 3)
+    if (m.friction > 3 && std::isfinite(m.friction))
       hints.push_back(fmt::format("\"{}\": friction {:.3g}: is it an angle in degrees? It must be its tangent", m.name,
                                   m.friction));
   }

@@ -74,6 +74,7 @@ struct LawSpec {
   LawName name = LawName::hertz_mindlin;
   LawMap map = LawMap::automatic;
   bool rescale = true;  // hertz_mindlin: shorten the tangential spring when the contact radius shrinks
+  bool clip = true;     // contacts end at zero force, else at zero overlap
 };
 
 struct PartSpec {

@@ -132,9 +132,11 @@ std::vector<Key> material_keys() {
                                     "Mass density; needed where a body, not only a wall, is made of it.")
           .above(0),
       value<&MaterialSpec::restitution>("restitution", "", "Rebound speed over impact speed, head-on; 1 = undamped.")
-          .from(0.01)
+          .from(0)
           .to(1),
-      value<&MaterialSpec::friction>("friction", "", "Coulomb friction coefficient.").from(0),
+      value<&MaterialSpec::friction>("friction", "", "Coulomb friction coefficient; inf = no slip.")
+          .from(0)
+          .or_infinite(),
       value<&MaterialSpec::stiffness>("stiffness", "N/m",
                                       "Normal stiffness; needed by law spring_dashpot unless rigid.")
           .above(0),
@@ -146,8 +148,8 @@ std::vector<Key> pair_keys() {
   return {
       value<&MaterialPairSpec::a>("a", "", "One material.").refers("material").must(),
       value<&MaterialPairSpec::b>("b", "", "The other one (or the same).").refers("material").must(),
-      value<&MaterialPairSpec::restitution>("restitution", "", "Replaces the mixed restitution.").from(0.01).to(1),
-      value<&MaterialPairSpec::friction>("friction", "", "Replaces the mixed friction.").from(0),
+      value<&MaterialPairSpec::restitution>("restitution", "", "Replaces the mixed restitution.").from(0).to(1),
+      value<&MaterialPairSpec::friction>("friction", "", "Replaces the mixed friction.").from(0).or_infinite(),
       value<&MaterialPairSpec::published>(
           "published", "", "A published friction coefficient by its pair of surfaces; replaces the mixed friction.")
           .named_in("friction"),
@@ -291,7 +293,10 @@ std::shared_ptr<const Section> whole() {
                "volume, and none on prisms; equivalent_radius: on prisms that of the disc of equal area.",
                {"auto", "equivalent_radius"}),
            value<&LawSpec::rescale>("rescale", "", "Shorten the tangential spring when the contact radius shrinks.")
-               .when("name", {"hertz_mindlin"})})
+               .when("name", {"hertz_mindlin"}),
+           value<&LawSpec::clip>("clip", "",
+                                 "A contact ends when its force is zero; false = when its overlap is: until then the "
+                                 "dashpot may pull, and restitution may be 0.")})
           .must(),
       tables<&Scene::materials>("material", "A material.", material_keys()).must(),
       tables<&Scene::pairs>("material_pair", "What two materials do together, in place of the mixed values.",

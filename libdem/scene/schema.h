@@ -54,6 +54,7 @@ struct Key {
   std::string unit;  // "" = a pure number or no number
   std::string sentence;
   Range range;                        // of a number, or of every component
+  bool infinite = false;              // a number may be inf
   bool required = false;              // where it applies …
   std::vector<std::string> needing;   // … and its selector has one of these values; empty: any
   std::vector<std::string> choices;   // text, texts: the only words allowed
@@ -75,6 +76,7 @@ struct Key {
   Key& above(double v) { return range.lower = v, range.lower_open = true, *this; }
   Key& from(double v) { return range.lower = v, *this; }
   Key& to(double v) { return range.upper = v, *this; }
+  Key& or_infinite() { return infinite = true, *this; }
   Key& must() { return required = true, *this; }
   Key& must_for(std::vector<std::string> values) { return needing = std::move(values), must(); }
   Key& one_of(std::vector<std::string> words) { return choices = std::move(words), *this; }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "libdem/scene/nearest.h"
 #include "libdem/scene/schema.h"
@@ -110,6 +111,7 @@ const char* found(const Node& n) {
 Fault number_fault(const Key& key, const std::string& path, const Node& n, bool whole) {
   if (!n.is_number()) return {fmt::format("needs {}, found {}", name_of(key.type), found(n)), &n};
   const double v = n.as_number();
+  if (key.infinite && v == std::numeric_limits<double>::infinity()) return {};
   if (!std::isfinite(v)) return {"must be finite", &n};
   if (whole && (v != std::floor(v) || std::abs(v) > 0x1p53)) return {"needs " + std::string(name_of(key.type)), &n};
   if (!key.range.holds(v)) return {"allowed " + key.range.text(path), &n};

@@ -163,7 +163,9 @@ std::vector<Key> event_keys() {
       value<&EventSpec::start_rain>("start_rain", "", "Lets this rain begin, which waits for it.").refers("rain"),
       value<&EventSpec::stop_rain>("stop_rain", "", "Ends this rain.").refers("rain"),
       value<&EventSpec::gravity>("gravity", "m/s^2", "Acceleration of gravity from now on."),
-      value<&EventSpec::friction>("friction", "", "Friction of the materials a and b from now on.").from(0),
+      value<&EventSpec::friction>("friction", "", "Friction of the materials a and b from now on.")
+          .from(0)
+          .or_infinite(),
       value<&EventSpec::a>("a", "", "One material of friction.").refers("material"),
       value<&EventSpec::b>("b", "", "The other one (or the same).").refers("material"),
       value<&EventSpec::species>("species", "", "Bodies get this species; all, or those in region or of material.")

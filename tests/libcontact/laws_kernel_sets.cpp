@@ -93,14 +93,14 @@ TEST(KernelSets, LawsGiveTheSameBits) {
   if (sets.size() < 2) GTEST_SKIP() << "this processor runs one kernel set only";
   for (const auto law : {&KernelSet::hertz_mindlin, &KernelSet::spring_dashpot, &KernelSet::hertz_mindlin_patch,
                          &KernelSet::spring_dashpot_patch})
-    for (const bool rescale : {false, true})
+    for (const LawOptions options : {LawOptions{}, LawOptions{.rescale = false}, LawOptions{.clip = false}})
       for (const double dt : {0.0, 1e-6, 1e-4})
         for (unsigned seed = 0; seed < 20; ++seed) {
           LawChunk first = law_chunk(seed);
-          (sets[0]->*law)(first, chunk_size, dt, rescale);
+          (sets[0]->*law)(first, chunk_size, dt, options);
           for (std::size_t k = 1; k < sets.size(); ++k) {
             LawChunk other = law_chunk(seed);
-            (sets[k]->*law)(other, chunk_size, dt, rescale);
+            (sets[k]->*law)(other, chunk_size, dt, options);
             EXPECT_TRUE(same_bits(first, other)) << sets[k]->name << ", seed " << seed << ", dt " << dt;
           }
         }
@@ -113,12 +113,12 @@ TEST(KernelSets, SphereKernelsGiveTheSameBits) {
     const SphereChunk s = sphere_chunk(seed);
     LawChunk first = law_chunk(seed);
     sets[0]->spheres(s, first, chunk_size);
-    sets[0]->hertz_mindlin(first, chunk_size, 1e-6, true);
+    sets[0]->hertz_mindlin(first, chunk_size, 1e-6, {});
     sets[0]->sphere_torques(s, first, chunk_size);
     for (std::size_t k = 1; k < sets.size(); ++k) {
       LawChunk other = law_chunk(seed);
       sets[k]->spheres(s, other, chunk_size);
-      sets[k]->hertz_mindlin(other, chunk_size, 1e-6, true);
+      sets[k]->hertz_mindlin(other, chunk_size, 1e-6, {});
       sets[k]->sphere_torques(s, other, chunk_size);
       EXPECT_TRUE(same_bits(first, other)) << sets[k]->name << ", seed " << seed;
     }
@@ -129,10 +129,10 @@ TEST(KernelSets, SphereKernelsGiveTheSameBits) {
 TEST(KernelSets, LanesAreIndependent) {
   for (const KernelSet* set : kernel_sets()) {
     LawChunk full = law_chunk(3);
-    set->hertz_mindlin(full, chunk_size, 1e-6, true);
+    set->hertz_mindlin(full, chunk_size, 1e-6, {});
     for (const std::size_t count : {std::size_t(1), std::size_t(5), std::size_t(17)}) {
       LawChunk part = law_chunk(3);
-      set->hertz_mindlin(part, count, 1e-6, true);
+      set->hertz_mindlin(part, count, 1e-6, {});
       for (std::size_t i = 0; i < count; ++i) {
         EXPECT_EQ(part.force.x[i], full.force.x[i]);
         EXPECT_EQ(part.history_force.z[i], full.history_force.z[i]);
@@ -145,9 +145,9 @@ TEST(KernelSets, LanesAreIndependent) {
 TEST(KernelSets, LanesAreTheScalarLaw) {
   LawChunk c = law_chunk(9);
   const LawChunk in = c;
-  kernels().hertz_mindlin(c, chunk_size, 0.0, true);
+  kernels().hertz_mindlin(c, chunk_size, 0.0, {});
   LawChunk l = law_chunk(9);
-  kernels().spring_dashpot(l, chunk_size, 0.0, true);
+  kernels().spring_dashpot(l, chunk_size, 0.0, {});
   for (std::size_t i = 0; i < chunk_size; ++i) {
     const shapes::Vec3d n{in.normal.x[i], in.normal.y[i], in.normal.z[i]};
     const shapes::Vec3d v{in.velocity.x[i], in.velocity.y[i], in.velocity.z[i]};

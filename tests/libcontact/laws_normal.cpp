@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "libcontact/laws/mix.h"
 #include "libcontact/laws/normal/hertz.h"
@@ -51,6 +52,17 @@ TEST(NormalLaws, NeverPullAndAnIdleLaneGivesNothing) {
   EXPECT_EQ(Linear::update<double>({1e4, 0.5}, pressed(0, 0)).force, 0);
 }
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(NormalLaws, PullAgainstASeparationWhenNotClipped) {
+  const auto hertz = Hertz::update<double>({5e6, 0.5, -infinity}, pressed(1e-6, -10));
+  const auto linear = Linear::update<double>({1e4, 0.5, -infinity}, pressed(1e-6, -10));
+  EXPECT_DOUBLE_EQ(hertz.force, hertz.elastic - 10 * hertz.damping);
+  EXPECT_DOUBLE_EQ(linear.force, linear.elastic - 10 * linear.damping);
+  EXPECT_LT(hertz.force, 0);
+  EXPECT_LT(linear.force, 0);
+}
+
 TEST(Damping, ClippedRestitutionOfTheClassicalRatio) {  // β = −ln e/sqrt(π² + ln² e) used with the clipped end
   const double input[][2] = {{0.9, 0.90203}, {0.75, 0.76265}, {0.5, 0.55028}, {0.25, 0.36076}, {0.1, 0.25273}};
   for (const auto& [e, clipped] : input) {
@@ -77,6 +89,26 @@ TEST(Damping, InverseReturnsAndIsSmoothThroughCriticalDamping) {
     }
 }
 
+// No clipped dashpot is strong enough for e = 0: e → 1/(4β²). What the least one that is allowed costs.
+TEST(Damping, ClippedRestitutionIsNeverZeroAndItsPriceIsTheStep) {
+  for (const double beta : {1e2, 1e4, 1e6})
+    EXPECT_NEAR(clipped_restitution(beta) * 4 * beta * beta, 1, 50 / beta) << beta;
+  const double beta = clipped_damping(least_clipped_restitution);
+  EXPECT_NEAR(beta, 4.807, 5e-4);
+  EXPECT_NEAR(std::sqrt(1 + beta * beta) - beta, 0.1029, 5e-5);  // of the step of an undamped contact
+}
+
+TEST(Damping, UnclippedReturnsFromCriticalDampingToNone) {
+  EXPECT_EQ(unclipped_damping(0), 1);
+  EXPECT_EQ(unclipped_damping(1), 0);
+  const double table[][2] = {{0.9, 0.0335184}, {0.5, 0.2154538}, {0.1, 0.5911550}};  // −ln e/sqrt(π² + ln² e)
+  for (const auto& [e, beta] : table) EXPECT_NEAR(unclipped_damping(e), beta, 1e-7) << e;
+  for (double e = 1e-6; e < 1; e *= 1.7) {
+    const double beta = unclipped_damping(e);
+    EXPECT_NEAR(std::exp(-M_PI * beta / std::sqrt((1 - beta) * (1 + beta))) / e, 1, 1e-12) << e;
+  }
+}
+
 // Fourth-order integration of m* δ'' = −F up to the clipped end, with a step far below the contact's time scale.
 template <class Force>
 double restitution_of(const Force& force, double mass, double speed, double h) {
@@ -87,7 +119,7 @@ double restitution_of(const Force& force, double mass, double speed, double h) {
                  k3 = a(x + 0.5 * h * (v + 0.5 * h * k1), v + 0.5 * h * k2),
                  k4 = a(x + h * (v + 0.5 * h * k2), v + h * k3);
     const double x1 = x + h * v + h * h / 6 * (k1 + k2 + k3), v1 = v + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-    if (v1 < 0 && (x1 <= 0 || force(x1, v1) == 0)) return -v1 / speed;
+    if (v1 < 0 && (x1 <= 0 || force(x1, v1) == 0)) return -v1 / speed;  // a force of exactly 0 is a clipped one
     x = x1;
     v = v1;
   }
@@ -104,6 +136,20 @@ TEST(Damping, BothLawsReboundAsAskedAtEverySpeed) {
       };
       EXPECT_NEAR(restitution_of(hertz, 0.02, speed, speed < 0.1 ? 1e-6 : 4e-7), e, 2e-4) << "hertz";
     }
+}
+
+TEST(Damping, BothLawsReboundAsAskedUnclipped) {
+  for (const double e : {0.9, 0.5, 0.1, 0.01}) {
+    const double beta = unclipped_damping(e);
+    const auto linear = [&](double d, double u) {
+      return Linear::update<double>({1e4, beta, -infinity}, pressed(d, u)).force;
+    };
+    EXPECT_NEAR(restitution_of(linear, 0.02, 1, 1e-7), e, 2e-5) << "linear";
+    const auto hertz = [&](double d, double u) {
+      return Hertz::update<double>({5e6, beta, -infinity}, pressed(std::max(d, 0.0), u)).force;
+    };
+    EXPECT_NEAR(restitution_of(hertz, 0.02, 1, 4e-7), e, 2e-4) << "hertz";
+  }
 }
 
 TEST(Mix, ModuliOfThePairAndOfARigidPartner) {

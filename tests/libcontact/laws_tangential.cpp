@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "libcontact/kernels/chunk.h"
@@ -39,7 +40,7 @@ class Led {
   Vec3d step(double overlap, const Vec3d& slip, LawKernel kernel, double dt = 1, bool rescale = true) {
     chunk_->overlap[0] = overlap;
     put(chunk_->velocity, slip * (1 / dt));
-    kernel(*chunk_, 1, dt, rescale);
+    kernel(*chunk_, 1, dt, {.rescale = rescale});
     const Vec3d f = get(chunk_->force), n = get(chunk_->normal);
     return -(f - n * dot(f, n));
   }
@@ -79,6 +80,32 @@ TEST(Tangential, SlipsAtTheCapAgainstTheMotionAndKeepsTheCapAsItsSpring) {
     EXPECT_NEAR(ft.y / cap, 0.8, 1e-15);
     const Vec3d held = contact.step(1e-5, {}, kernel);
     EXPECT_NEAR(shapes::norm(held - ft) / cap, 0, 1e-15);
+  }
+}
+
+// Without a limit the spring holds all of the slip as long as the bodies press on each other, and nothing where they do
+// not: at a clipped force of zero neither a force nor a number that is none.
+TEST(Tangential, InfiniteFrictionHoldsWhatIsPressed) {
+  for (const auto kernel : {kernels().hertz_mindlin, kernels().spring_dashpot, kernels().hertz_mindlin_patch,
+                            kernels().spring_dashpot_patch}) {
+    Led contact(std::numeric_limits<double>::infinity(), 0.4);
+    LawChunk& c = contact.chunk();
+    c.spread_xx[0] = c.spread_yy[0] = 1e-6;
+    put(c.relative_spin, {0, 0, 1});
+    contact.step(1e-5, {}, kernel, 1e3);
+    const bool hertz = kernel == kernels().hertz_mindlin || kernel == kernels().hertz_mindlin_patch;
+    const double kt = hertz ? contact.stiffness_t() : c.stiffness_t[0];
+    contact.step(1e-5, {1, 0, 0}, kernel, 1e9);
+    EXPECT_NEAR(c.history_force.x[0] / kt, 1, 1e-12);
+    put(c.velocity, {1, 0, -1e6});  // parts so fast that the dashpot would pull
+    kernel(c, 1, 1e-12, {});
+    EXPECT_EQ(shapes::norm(get(c.force)), 0);
+    EXPECT_EQ(shapes::norm(get(c.history_force)), 0);
+    EXPECT_EQ(shapes::norm(get(c.couple)), 0);
+    EXPECT_EQ(c.history_twist[0], 0);
+    kernel(c, 1, 1e-12, {.clip = false});
+    EXPECT_GT(c.force.z[0], 0);  // pulls a along
+    EXPECT_EQ(c.force.x[0], 0);  // what pulls does not rub
   }
 }
 
@@ -147,7 +174,7 @@ TEST(Tangential, OnlyThePartOfTheFirstStepInContactSlips) {
   LawChunk& c = contact.chunk();
   c.overlap[0] = 1e-6;
   put(c.velocity, {1, 0, 4});  // in 1 µs it closes by 4 µm: a quarter of the step in contact
-  kernels().spring_dashpot(c, 1, 1e-6, true);
+  kernels().spring_dashpot(c, 1, 1e-6, {});
   EXPECT_NEAR(-c.force.x[0], c.stiffness_t[0] * 0.25e-6, 1e-12);
 }
 

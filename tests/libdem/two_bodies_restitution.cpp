@@ -22,9 +22,10 @@ double contact_time(LawName law, const MaterialSpec& m) {
   return 2.8682657 * std::pow(mass_eff * mass_eff / (0.5 * radius * young_eff * young_eff * 2 * speed), 0.2);
 }
 
-double measured_restitution(LawName law, double e, int steps_per_contact, double phase) {
+double measured_restitution(LawName law, double e, int steps_per_contact, double phase, bool clip = true) {
   Scene s;
   s.law.name = law;
+  s.law.clip = clip;
   s.materials = {scenes::material("m", 5e6, density, e, 0)};
   s.materials[0].stiffness = 1e4;
   s.shapes = {scenes::sphere("ball", radius)};
@@ -45,10 +46,10 @@ double measured_restitution(LawName law, double e, int steps_per_contact, double
   return scenes::motion(w, 1).velocity.x / speed;
 }
 
-double worst_error(LawName law, double e, int steps_per_contact) {
+double worst_error(LawName law, double e, int steps_per_contact, bool clip = true) {
   double worst = 0;
   for (int k = 0; k < 20; ++k)
-    worst = std::max(worst, std::abs(measured_restitution(law, e, steps_per_contact, k / 20.0) - e));
+    worst = std::max(worst, std::abs(measured_restitution(law, e, steps_per_contact, k / 20.0, clip) - e));
   return worst / e;
 }
 
@@ -63,6 +64,46 @@ TEST_P(Restitution, IsHitAtEveryPhaseOfOnset) {
                 std::log2(error[0] / error[1]), std::log2(error[1] / error[2]), std::log2(error[2] / error[3]));
     EXPECT_LT(error[0], 0.005) << "e = " << e;
     EXPECT_LT(error[3], 0.1 * error[0]) << "e = " << e << ": slower than first order";
+  }
+}
+
+// The dashpot pulls up to the end, which may lie anywhere in a step: what is left is a share of the impact speed, not
+// of the rebound.
+TEST_P(Restitution, IsHitUnclipped) {
+  for (const double e : {0.1, 0.5, 0.9, 1.0}) {
+    const double coarse = worst_error(GetParam(), e, 50, false), fine = worst_error(GetParam(), e, 400, false);
+    std::printf("  %.1f  %.3e at contact time /50, %.3e at /400\n", e, coarse, fine);
+    EXPECT_LT(coarse * e, 0.005) << "e = " << e;
+    EXPECT_LT(fine, 0.002) << "e = " << e;
+  }
+}
+
+// e = 0, which a clipped contact cannot have: critical damping, x = v t exp(−ω t) for the linear law and the same in a
+// stretched time for Hertz. The bodies come back at up to exp(−2) of the impact speed, never part and come to rest.
+TEST_P(Restitution, ZeroComesToRestUnclipped) {
+  for (int k = 0; k < 5; ++k) {
+    Scene s;
+    s.law.name = GetParam();
+    s.law.clip = false;
+    s.materials = {scenes::material("m", 5e6, density, 0, 0)};
+    s.materials[0].stiffness = 1e4;
+    s.shapes = {scenes::sphere("ball", radius)};
+    s.run.steps = 1;
+    const double half_gap = 1e-5 * (1 + 0.2 * k);
+    s.bodies = {scenes::body("ball", "m", {-radius - half_gap, 0, 0}, {speed, 0, 0}),
+                scenes::body("ball", "m", {radius + half_gap, 0, 0}, {-speed, 0, 0})};
+    World w = build_world(s);
+    double fastest = 0, deepest = 0;
+    for (int i = 0; i < 20000; ++i) {
+      advance(w, 1);
+      fastest = std::max(fastest, scenes::motion(w, 1).velocity.x);
+      const auto touching = touching_contacts(w);
+      if (!touching.empty()) deepest = std::max(deepest, touching[0].overlap);
+    }
+    EXPECT_NEAR(fastest / speed / std::exp(-2), 1, 0.005);
+    ASSERT_EQ(touching_contacts(w).size(), 1u);
+    EXPECT_LT(touching_contacts(w)[0].overlap, 1e-6 * deepest);
+    EXPECT_LT(std::abs(scenes::motion(w, 1).velocity.x), 1e-6 * speed);
   }
 }
 

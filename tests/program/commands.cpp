@@ -76,6 +76,19 @@ TEST(Check, SaysWhatTheSceneIs) {
   EXPECT_EQ(folder.files(), std::vector<std::string>{"scene.toml"});
 }
 
+TEST(Check, TakesTheExtremesOfALawAndSaysHowContactsEnd) {
+  const Folder folder;
+  const std::string scene = folder.write("scene.toml", program::small_scene);
+  const Outcome clipped = program::dem({"check", scene, "--set", "material.glass.restitution=0.01"});
+  EXPECT_EQ(clipped.exit_code, 0) << clipped.err;
+  EXPECT_TRUE(has(clipped.out, "contacts end at zero force")) << clipped.out;
+  const Outcome pulls = program::dem({"check", scene, "--set", "law.clip=false", "--set",
+                                      "material.glass.restitution=0", "--set", "material.glass.friction=inf"});
+  EXPECT_EQ(pulls.exit_code, 0) << pulls.err;
+  EXPECT_TRUE(has(pulls.out, "contacts end at zero overlap") && has(pulls.out, "friction inf")) << pulls.out;
+  EXPECT_FALSE(has(pulls.out, "angle in degrees")) << pulls.out;
+}
+
 TEST(Check, JsonHoldsTheCost) {
   const Folder folder;
   const Outcome o = program::dem({"check", folder.write("scene.toml", program::small_scene), "--json"});

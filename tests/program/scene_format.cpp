@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <limits>
 
 #include "libdem/scene/data_files.h"
 #include "libdem/scene/nearest.h"
@@ -30,6 +31,7 @@ gravity = [-0.0, 1e-300, -9.8066499999999994]
 max_uncertified_share = 0
 [law]
 name = "spring_dashpot"
+clip = false
 [[material]]
 name = "a"
 stiffness = 1e5
@@ -37,6 +39,8 @@ density = 2600
 [[material]]
 name = "b"
 rigid = true
+restitution = 0
+friction = inf
 [[material_pair]]
 a = "a"
 b = "b"
@@ -195,6 +199,9 @@ TEST(SceneFormat, WrittenSceneReadsBackTheSame) {
   EXPECT_EQ(second.gravity.z, -9.8066499999999994);
   EXPECT_EQ(second.run.max_uncertified_share, 0);
   EXPECT_EQ(second.law.name, LawName::spring_dashpot);
+  EXPECT_FALSE(second.law.clip);
+  EXPECT_EQ(second.materials[1].restitution, 0);
+  EXPECT_EQ(second.materials[1].friction, std::numeric_limits<double>::infinity());
   EXPECT_TRUE(std::isnan(second.pairs[0].restitution));
   EXPECT_EQ(second.pairs[0].friction, 0.1);
   EXPECT_EQ(second.shapes[2].file, first.shapes[2].file);
