@@ -45,6 +45,8 @@ double contact_damping(const World& world, std::size_t record);
 double contact_resistance(const World& world, std::size_t record);
 // Of a touching contact: midway in the overlap, or the centre of its patch; world coordinates, m.
 Vec3d contact_point(const World& world, std::size_t record);
+// The limit of a contact by itself at an overlap that it has or had, s.
+double contact_limit(const World& world, std::size_t record, double overlap);
 // The smallest limit of the contacts as they are now, s; +infinity without contacts.
 double present_limit(const World& world);
 

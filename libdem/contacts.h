@@ -27,6 +27,11 @@ struct Key {
 };
 inline constexpr std::uint64_t wall_base = std::uint64_t(1) << 63;
 
+struct Change {  // a contact that came or went in a step
+  std::uint32_t record;
+  double overlap;  // m, that it had when it went; 0: it came
+};
+
 // The records of one pair of kinds, answered by one function: dispatch happens here, never per pair.
 struct Bin {
   shapes::Kind a = shapes::Kind::sphere, b = shapes::Kind::sphere;

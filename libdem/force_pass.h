@@ -40,7 +40,8 @@ struct Tally {
 
 // One thread's working set; reused over its chunks.
 struct Scratch {
-  std::vector<std::uint32_t> changed;  // records whose contact came or went
+  std::vector<Change> changed;
+  std::vector<std::uint32_t> through;  // records whose normal has turned round
   LawChunk law;
   SphereChunk spheres;
   contact::kernels::Lane clearance;
@@ -75,15 +76,15 @@ class ForcePass {
   void begin(std::size_t k, Scratch& s) const {
     if (c_.touching[k] != 0) return;
     c_.touching[k] = 1;
-    s.changed.push_back(static_cast<std::uint32_t>(k));
+    s.changed.push_back({static_cast<std::uint32_t>(k), 0});
   }
 
   void forget(std::size_t k, Scratch& s) const {
     if (c_.touching[k] == 0) return;
+    s.changed.push_back({static_cast<std::uint32_t>(k), c_.history[k].overlap});
     c_.history[k] = {};
     c_.touching[k] = 0;
     c_.slot[k] = {};
-    s.changed.push_back(static_cast<std::uint32_t>(k));
   }
 
   void load_pair(std::size_t i, std::uint32_t pair, Scratch& s) const {

@@ -1,10 +1,13 @@
 #include "libdem/forces.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
 #include "libcontact/methods/polygon_regions.h"
+#include "libdem/build.h"
 #include "libdem/force_pass.h"
 #include "libdem/forces_compound.h"
 #include "libdem/regions.h"
@@ -71,6 +74,8 @@ class PairPass : public ForcePass {
       set_.gather_spheres(p_.motion.data(), s.index_a, s.index_b, n, s.spheres, l);
     load_histories(n, s);
     set_.spheres(s.spheres, l, n);
+    for (std::size_t i = 0; i < n; ++i)
+      if (dot(get(l.history_normal, i), get(l.normal, i)) < 0) s.through.push_back(s.record[i]);
     run_law(l, n, false);
     set_.sphere_torques(s.spheres, l, n);
     store(n, s);
@@ -180,6 +185,9 @@ class PairPass : public ForcePass {
               p_.motion[c_.index_a[k]].equivalent_radius, wall ? 0 : p_.motion[c_.index_b[k]].equivalent_radius,
               q.patch.centre},
              s);
+      // Sharp edges turn a normal by more than a right angle, regions change places.
+      if (!bin.regions && dot(c_.history[k].normal, q.normal) < -0.9)
+        s.through.push_back(static_cast<std::uint32_t>(k));
       begin(k, s);
       s.record[n++] = static_cast<std::uint32_t>(k);
     }
@@ -190,6 +198,46 @@ class PairPass : public ForcePass {
     return t;
   }
 };
+
+std::string parties(const World& world, std::uint32_t k) {
+  const Contacts& c = world.contacts;
+  const std::uint32_t b = c.index_b[k];
+  return "body " + std::to_string(world.particles.id[c.index_a[k]]) + " and " +
+         (c.key[k].b >= wall_base ? "wall \"" + world.walls[b].name + "\""
+                                  : "body " + std::to_string(world.particles.id[b]));
+}
+
+// Bodies pressed beyond each other's middle are pushed out on the other side: their normal turns round in a step.
+void check_passages(const World& world, const std::vector<std::uint32_t>& through) {
+  if (through.empty()) return;
+  const Contacts& c = world.contacts;
+  const std::uint32_t k = *std::min_element(through.begin(), through.end(),
+                                            [&](std::uint32_t x, std::uint32_t y) { return c.key[x] < c.key[y]; });
+  throw RunError(fmt::format(
+      "step {}: {} pass through each other, their overlap is {:.3g} m: they are too soft for their speed or their load",
+      world.step, parties(world, k), c.history[k].overlap));
+}
+
+// An impact may be over before the monitor of the time step looks: each contact is judged as it comes, and by the
+// overlap that it had in its last step as it goes.
+void check_impacts(const World& world, const std::vector<Change>& changed) {
+  const Contacts& c = world.contacts;
+  const double dt = world.time_step.dt;
+  const Change* worst = nullptr;
+  double least = dt;
+  for (const Change& change : changed) {
+    const std::uint32_t k = change.record;
+    const double limit = contact_limit(world, k, c.touching[k] != 0 ? c.history[k].overlap : change.overlap);
+    if (limit < least || (worst != nullptr && limit == least && c.key[k] < c.key[worst->record])) {
+      least = limit;
+      worst = &change;
+    }
+  }
+  if (worst != nullptr)
+    throw RunError(
+        fmt::format("step {}: run.dt = {:.4g} s has passed the stability limit of the contact of {}, {:.4g} s",
+                    world.step, dt, parties(world, worst->record), least));
+}
 
 // Lists the touching records of both bodies of record k anew; the order stays that of the partners.
 void relist(Contacts& c, std::uint32_t k) {
@@ -205,6 +253,14 @@ void relist(Contacts& c, std::uint32_t k) {
 }
 
 }  // namespace
+
+void check_contacts(const World& world) {
+  const Contacts& c = world.contacts;
+  std::vector<Change> all;
+  for (std::uint32_t k = 0; k < c.count(); ++k)
+    if (c.touching[k] != 0) all.push_back({k, 0});
+  check_impacts(world, all);
+}
 
 void compute_forces(World& world, int threads, double dt) {
   const auto begin = std::chrono::steady_clock::now();
@@ -235,7 +291,8 @@ void compute_forces(World& world, int threads, double dt) {
   for (const Bin& b : world.contacts.bins)
     if (b.query == nullptr) add(b, 8 * chunk_size);
   Tally total;
-  std::vector<std::uint32_t> changed;
+  std::vector<Change> changed;
+  std::vector<std::uint32_t> through;
 #pragma omp parallel num_threads(threads)
   {
     static thread_local Scratch scratch;
@@ -251,10 +308,16 @@ void compute_forces(World& world, int threads, double dt) {
     {
       total += mine;
       changed.insert(changed.end(), scratch.changed.begin(), scratch.changed.end());
+      through.insert(through.end(), scratch.through.begin(), scratch.through.end());
       scratch.changed.clear();
+      scratch.through.clear();
     }
   }
-  for (const std::uint32_t k : changed) relist(world.contacts, k);
+  for (const Change& c : changed) relist(world.contacts, c.record);
+  if (dt > 0) {
+    check_passages(world, through);
+    check_impacts(world, changed);
+  }
   world.counters.queries += total.queries;
   world.counters.contact_steps += total.touching;
   world.counters.not_converged += total.not_converged;

@@ -145,7 +145,11 @@ void advance(World& world, int threads) {
   if (!world.rains.empty()) insert_rain(world);
   world.times.walls += seconds_since(walls);
 
-  if (candidates_outdated(world)) rebuild_candidates(world, threads);
+  if (candidates_outdated(world)) {
+    // A body thrown off by a step that is too long may be out of reach: its contact would be gone unseen.
+    if (!world.contacts.stale) check_contacts(world);
+    rebuild_candidates(world, threads);
+  }
   compute_forces(world, threads, dt);
   sum_forces(world, threads);
   book_wall_loads(world, dt);

@@ -54,20 +54,47 @@ Stiffness stiffness_at(const World& world, const PairParameters& q, double radiu
   return {2 * q.young_eff * a, 8 * q.shear_eff * a};
 }
 
-}  // namespace
-
-Stiffness contact_stiffness(const World& world, std::size_t k) {
+const PairParameters& pair_of(const World& world, std::size_t k) {
   const Contacts& c = world.contacts;
-  const Particles& p = world.particles;
+  const std::uint32_t b = c.index_b[k];
   const bool wall = c.key[k].b >= wall_base;
-  const std::uint32_t a = c.index_a[k], b = c.index_b[k], mb = wall ? world.walls[b].material : p.material[b];
+  return world.pairs[world.particles.material[c.index_a[k]] * world.materials.size() +
+                     (wall ? world.walls[b].material : world.particles.material[b])];
+}
+
+Stiffness stiffness_of(const World& world, std::size_t k, double overlap) {
+  const Contacts& c = world.contacts;
+  const bool wall = c.key[k].b >= wall_base;
+  const std::uint32_t a = c.index_a[k], b = c.index_b[k];
   const double radius_a = part_radius(world, a, c.key[k].part_a);
   const double radius_b = wall ? 0 : part_radius(world, b, c.key[k].part);
   const double radius = wall ? radius_a : radius_a * radius_b / (radius_a + radius_b);
-  const Stiffness s =
-      stiffness_at(world, world.pairs[p.material[a] * world.materials.size() + mb], radius, c.history[k].overlap);
+  const Stiffness s = stiffness_at(world, pair_of(world, k), radius, overlap);
   const double share = c.share.empty() ? 1 : c.share[k];
   return {share * s.n, share * s.t};
+}
+
+// Without friction nothing holds the tangential mode.
+double omega_squared(const Stiffness& s, const Compliance& w, const PairParameters& q) {
+  return q.friction > 0 ? std::max(s.n * w.normal, s.t * w.tangential) : s.n * w.normal;
+}
+
+}  // namespace
+
+Stiffness contact_stiffness(const World& world, std::size_t k) {
+  return stiffness_of(world, k, world.contacts.history[k].overlap);
+}
+
+double contact_limit(const World& world, std::size_t k, double overlap) {
+  const Contacts& c = world.contacts;
+  const PairParameters& q = pair_of(world, k);
+  Compliance w = compliance(world, c.index_a[k]);
+  if (c.key[k].b < wall_base) {
+    const Compliance b = compliance(world, c.index_b[k]);
+    w.normal += b.normal;
+    w.tangential += b.tangential;
+  }
+  return limit_of(omega_squared(stiffness_of(world, k, overlap), w, q), law_beta(world, q));
 }
 
 double contact_damping(const World& world, std::size_t k) {
@@ -176,21 +203,16 @@ TimeStep choose_time_step(const World& now) {
 
 double present_limit(const World& world) {
   const Contacts& c = world.contacts;
-  const Particles& p = world.particles;
-  std::vector<double> row(p.count());
+  std::vector<double> row(world.particles.count());
   double beta = 0;
-  const auto add = [&](const Stiffness& s, std::size_t i) {
-    const Compliance w = compliance(world, i);
-    row[i] += std::max(s.n * w.normal, s.t * w.tangential);
-  };
   for (std::size_t k = 0; k < c.count(); ++k) {
     if (c.touching[k] == 0) continue;
     const Stiffness s = contact_stiffness(world, k);
-    add(s, c.index_a[k]);
-    const bool wall = c.key[k].b >= wall_base;
-    const std::uint32_t mb = wall ? world.walls[c.index_b[k]].material : p.material[c.index_b[k]];
-    if (!wall) add(s, c.index_b[k]);
-    beta = std::max(beta, law_beta(world, world.pairs[p.material[c.index_a[k]] * world.materials.size() + mb]));
+    const PairParameters& q = pair_of(world, k);
+    const auto add = [&](std::size_t i) { row[i] += omega_squared(s, compliance(world, i), q); };
+    add(c.index_a[k]);
+    if (c.key[k].b < wall_base) add(c.index_b[k]);
+    beta = std::max(beta, law_beta(world, q));
   }
   double largest = 0;
   for (std::size_t k = 0; k < c.count(); ++k) {
