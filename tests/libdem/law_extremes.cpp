@@ -98,6 +98,41 @@ TEST(Impact, WithoutFrictionOnlyTheNormalModeLimitsTheStep) {
   }
 }
 
+// A small cube is set down on a slab that slides on a smooth floor, up to a hundred times as long: it is dragged along
+// by μ m g, lags behind by V²/(2 μ g (1 + m/M)), and then rests on the slab at V M/(M + m), whatever their sizes.
+TEST(Fines, ComeToRestOnALargeBodyThatMoves) {
+  for (const LawName law : {LawName::spring_dashpot, LawName::hertz_mindlin})
+    for (const double ratio : {3.0, 10.0, 30.0, 100.0}) {
+      const double edge = 2e-3, g = 9.81, mu = 0.3, v = 0.1 * std::sqrt(g * edge), small = 2500 * edge * edge * edge;
+      Scene s;
+      s.law.name = law;
+      s.gravity = {0, 0, -g};
+      s.materials = {scenes::material("m", 2e12, 2500, 0.3, mu), scenes::material("floor", 0, 0, 0.3, 0)};
+      s.materials[0].stiffness = 2e4 * ratio * ratio * small * g / edge;
+      s.materials[1].rigid = true;
+      s.shapes = {scenes::box("cube", {edge, edge, edge}), scenes::box("slab", {ratio * edge, ratio * edge, edge})};
+      s.walls = {scenes::plane("floor", "floor", {0, 0, 0}, {0, 0, 1})};
+      s.run.steps = 1;
+      s.run.dt_fraction = 0.2;
+      s.run.dt_overlap = 1e-5;
+      s.run.dt_contacts = 1;
+      s.bodies = {scenes::body("cube", "m", {0, 0, 1.5 * edge}),
+                  scenes::body("slab", "m", {0, 0, 0.5 * edge}, {v, 0, 0})};
+      World w = build_world(s);
+      const double heavier = 1 + 1 / (ratio * ratio), slides = v / (mu * g * heavier);
+      while (w.time() < 0.5 * slides) advance(w, 1);
+      EXPECT_NEAR(scenes::motion(w, 0).velocity.x / (0.5 * mu * g * slides), 1, 0.02) << ratio;
+      while (w.time() < 1.5 * slides) advance(w, 1);
+      const Motion &a = scenes::motion(w, 0), &b = scenes::motion(w, 1);
+      EXPECT_NEAR(a.velocity.x / (v / heavier), 1, 2e-3) << ratio;
+      EXPECT_LT(std::abs(a.velocity.x - b.velocity.x), 1e-3 * v) << ratio;
+      EXPECT_NEAR((b.position.x - a.position.x) / (v * v / (2 * mu * g * heavier)), 1, 0.02) << ratio;
+      std::printf("  law %d, ratio %g: lags by %.4f of the way to expect, %llu steps\n", static_cast<int>(law), ratio,
+                  (b.position.x - a.position.x) / (v * v / (2 * mu * g * heavier)),
+                  static_cast<unsigned long long>(w.step));
+    }
+}
+
 // A number that is none never goes on: bodies put at one place, a body thrown without a speed.
 TEST(Numbers, ThatAreNoneStopTheRun) {
   for (const LawName law : {LawName::spring_dashpot, LawName::hertz_mindlin}) {
