@@ -1,0 +1,30 @@
+// A pair of bodies as the reference sees it: rotations are the exact ones of the (rounded) quaternions, sizes and
+// offsets are the doubles given. `placed` is what the library is given.
+#pragma once
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include "libcontact/dispatch.h"
+#include "shapes/math/quat.h"
+
+namespace reference {
+
+using Real = boost::multiprecision::cpp_bin_float_50;
+using Vector = shapes::Vec3<Real>;
+using Matrix = shapes::Mat3<Real>;
+using shapes::Kind;
+using shapes::Vec3d;
+
+struct Body {
+  Kind kind = Kind::sphere;
+  Vec3d size{};                    // as contact::Body
+  shapes::Quatd orientation{};     // of plane bodies: about z
+  const void* geometry = nullptr;  // as contact::Body
+  contact::Body placed() const;
+  double circumradius() const;  // m; 0 of half-spaces
+};
+
+// Kinds that the reference answers: convex bodies and half-spaces.
+bool known(const Body& body);
+
+}  // namespace reference
