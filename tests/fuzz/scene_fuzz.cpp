@@ -209,9 +209,9 @@ int main(int argc, char** argv) {
   fs::create_directories(folder);
   std::ofstream(folder / "bodies.csv")
       << "x,y,z,radius\n0.01,0.01,0.001,0.001\n0.02,0.01,0.001,0.001\n0.012,0.01,0.001,0.001\n";
-  for (const std::string& name : dem::shipped_scenes())  // scenes find their tables beside them
+  for (const std::string& name : dem::shipped_scenes())  // scenes find their tables and what they include beside them
     for (const auto& file : fs::directory_iterator(fs::path(dem::path_of_scene(name)).parent_path()))
-      if (file.path().extension() == ".csv")
+      if (file.path().extension() == ".csv" || file.path().extension() == ".toml")
         fs::copy_file(file.path(), folder / file.path().filename(), fs::copy_options::overwrite_existing);
   Fuzzer fuzzer{std::mt19937_64(std::strtoull(argv[2], nullptr, 10)), {}, {}};
   for (const std::string& name : dem::shipped_scenes())
