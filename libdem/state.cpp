@@ -132,6 +132,7 @@ std::vector<std::uint8_t> save_state(const World& world) {
                       x.resistance, x.reference, x.reference_orientation, x.motion.start, x.motion.stop,
                       x.present ? 1u : 0u, x.unchecked ? 1u : 0u});
     w.list(x.load.map);
+    w.list(x.load.squares);
   }
   const Contacts& c = world.contacts;
   std::vector<Kept> kept;
@@ -166,7 +167,10 @@ void load_state(World& world, const std::vector<std::uint8_t>& bytes) {
     x.unchecked = s.unchecked != 0;
     const std::size_t triangles = x.load.map.size();
     r.list(x.load.map);
-    if (x.load.map.size() != triangles) throw RunError("checkpoint: another pressure map than this scene's");
+    r.list(x.load.squares);
+    const bool on_squares = x.motion.pressure_map && !x.mesh;
+    if (x.load.map.size() != (on_squares ? x.load.squares.size() : triangles))
+      throw RunError("checkpoint: another pressure map than this scene's");
   }
   std::vector<Kept> kept;
   r.list(kept);

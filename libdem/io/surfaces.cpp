@@ -114,6 +114,22 @@ std::vector<WallSurface> wall_surfaces(const World& world, const Box& box) {
   return surfaces;
 }
 
+WallSurface map_squares(const World& world, std::size_t index) {
+  const Wall& wall = world.walls[index];
+  const double cell = wall.motion.map_cell;
+  WallSurface surface{index, true, plane_normal(wall), {}, {}, {}, {}};
+  for (const auto& square : wall.load.squares) {
+    for (const auto& [i, j] : {std::array{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+      surface.corners.push_back(static_cast<std::uint32_t>(surface.vertices.size()));
+      const double x = static_cast<double>(square[0]) + i, y = static_cast<double>(square[1]) + j;
+      surface.vertices.push_back(to_world(wall, {cell * x, cell * y, 0}));
+    }
+    surface.ends.push_back(static_cast<std::uint32_t>(surface.corners.size()));
+  }
+  surface.outline.assign(surface.corners.size(), 1);
+  return surface;
+}
+
 Box cell_box(const World& world) {
   Box box = particle_box(world);
   const Cell& cell = world.cell;

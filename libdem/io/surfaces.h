@@ -36,6 +36,8 @@ struct WallSurface {
 // The walls that are present. A plane becomes the part of a square about the box that lies on the free side of all
 // other planes: five planes show as an open box.
 std::vector<WallSurface> wall_surfaces(const World& world, const Box& box);
+// Of a plane with a pressure map: the squares of its map that were touched.
+WallSurface map_squares(const World& world, std::size_t wall);
 // What shows the periodic box in a picture: its faces (`wall` is the number of walls), in 2-D the rectangle in front of
 // the bodies; nothing in a scene without one.
 std::vector<WallSurface> cell_surfaces(const World& world);

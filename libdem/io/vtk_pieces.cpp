@@ -171,8 +171,9 @@ bool write_walls(const std::string& path, const World& world) {
   std::vector<std::int32_t> connectivity, ends, wall, material;
   std::vector<double> pressure, traction, shear;
   bool maps = false;
-  for (const Wall& w : world.walls) maps = maps || !w.load.map.empty();
-  for (const WallSurface& s : wall_surfaces(world, scene_box(world))) {
+  for (const Wall& w : world.walls) maps = maps || w.motion.pressure_map;
+  for (WallSurface& s : wall_surfaces(world, scene_box(world))) {
+    if (!world.walls[s.wall].load.squares.empty()) s = map_squares(world, s.wall);
     const std::size_t base = points.size(), first = connectivity.size();
     points.insert(points.end(), s.vertices.begin(), s.vertices.end());
     for (const std::uint32_t c : s.corners) connectivity.push_back(index32(base + c));
@@ -182,9 +183,9 @@ bool write_walls(const std::string& path, const World& world) {
       material.push_back(index32(world.walls[s.wall].material));
     }
     if (!maps) continue;
-    std::vector<TriangleTraction> map = tractions(world, world.walls[s.wall]);
+    std::vector<MapTraction> map = tractions(world, world.walls[s.wall]);
     map.resize(s.ends.size());
-    for (const TriangleTraction& t : map) {
+    for (const MapTraction& t : map) {
       pressure.push_back(t.pressure);
       append(traction, list(t.traction));
       append(shear, list(t.shear));

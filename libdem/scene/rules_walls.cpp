@@ -97,6 +97,9 @@ void servo_motion(const RuleContext& c, std::size_t i) {
 void check_wall_rules(const RuleContext& c, std::size_t i) {
   const WallSpec& w = c.scene.walls[i];
   if (w.kind == "plane" || w.kind == "line") c.nonzero("wall", i, "normal", w.normal);
+  if (w.kind == "plane" && w.pressure_map && w.map_cell == 0)
+    c.wrong("wall", i, "pressure_map", "of a plane needs map_cell (m), the side of its squares");
+  if (w.map_cell > 0 && !w.pressure_map) c.wrong("wall", i, "map_cell", "only goes with wall.pressure_map = true");
   if (w.motion == WallMotion::rotation) c.nonzero("wall", i, "axis", w.axis);
   if (w.motion == WallMotion::table) table_motion(c, i);
   if (w.motion == WallMotion::servo) servo_motion(c, i);

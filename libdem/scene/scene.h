@@ -151,7 +151,8 @@ struct WallSpec {
   double speed_limit = 0;                            // servo: m/s
   double gain = 1;                                   // servo
   double start = 0, stop = std::numeric_limits<double>::infinity();  // s, when it moves
-  bool pressure_map = false;                                         // meshes
+  bool pressure_map = false;                                         // meshes, planes
+  double map_cell = 0;                                               // plane: side of the squares of its map, m
   bool present = true;                                               // at the start; an event may insert or remove it
   double remove_at = std::numeric_limits<double>::infinity();        // s: the wall disappears (a gate)
   Where where;

@@ -113,9 +113,14 @@ std::vector<Key> motion_keys() {
       value<&WallSpec::start>("start", "s", "When the motion begins.").from(0).when("motion", moving),
       value<&WallSpec::stop>("stop", "s", "When the motion ends.").above(0).when("motion", moving),
       value<&WallSpec::pressure_map>("pressure_map", "",
-                                     "Write the mean pressure and shear traction on each triangle since the frame "
-                                     "before into the frames of the walls.")
-          .when("kind", {"mesh", "panel", "box", "cylinder", "cone", "drum", "die", "v_shell"}),
+                                     "Write the mean pressure and shear traction since the frame before, on each "
+                                     "triangle, or on each square of a plane that was touched, into the frames of the "
+                                     "walls.")
+          .when("kind", {"plane", "mesh", "panel", "box", "cylinder", "cone", "drum", "die", "v_shell"}),
+      value<&WallSpec::map_cell>("map_cell", "m",
+                                 "Side of the squares of a plane's map; wall.point is a corner of four of them.")
+          .above(0)
+          .when("kind", {"plane"}),
       value<&WallSpec::present>("present", "", "Whether it is there at the start; an event may insert or remove it."),
       value<&WallSpec::remove_at>("remove_at", "s", "When the wall is taken away (a gate).").from(0),
   };

@@ -1,12 +1,14 @@
-// What walls report: force, torque, power, impulse and work in walls.csv; pressure maps of meshes in the frames. Sums
-// agree, the bits do not depend on threads, skin or a resume, and a feature that is off leaves no trace.
+// What walls report: force, torque, power, impulse and work in walls.csv; pressure maps in the frames. Sums agree, the
+// bits do not depend on threads, skin or a resume, and a feature that is off leaves no trace.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <sstream>
 
 #include "libdem/io/io.h"
+#include "libdem/io/surfaces.h"
 #include "libdem/run.h"
 #include "tests/libdem/io_world.h"
 #include "tests/libdem/scenes_in_code.h"
@@ -16,7 +18,8 @@ namespace {
 
 using io_test::Folder;
 
-constexpr std::size_t ridge = 4;         // the mesh of the tray: two facets of two triangles each
+constexpr std::size_t ridge = 4;  // the mesh of the tray: two facets of two triangles each
+constexpr std::size_t floor_wall = 0, press = 3;
 constexpr std::uint64_t per_frame = 64;  // steps
 
 std::string text_of(const std::string& path) {
@@ -37,6 +40,10 @@ Scene tray() {
   w.pressure_map = true;
   w.motion = WallMotion::translation;
   w.velocity = {-0.25, 0, 0.5};
+  for (const std::size_t plane : {floor_wall, press}) {
+    s.walls[plane].pressure_map = true;
+    s.walls[plane].map_cell = 0.007;
+  }
   return s;
 }
 
@@ -113,11 +120,82 @@ TEST(WallLoads, OnlyTheTriangleUnderABodyBearsIt) {
   }
 }
 
+// On planes too, the one that a servo moves included: Σ traction · area of the squares that were touched.
+TEST(WallLoads, SquaresOfPlanesAddUpToTheMeanForceSinceTheFrame) {
+  World w = build_world(tray());
+  std::vector<Vec3d> sum(w.walls.size());
+  std::size_t most = 0;
+  while (w.step < 900) {
+    if (w.step % per_frame == 0) std::fill(sum.begin(), sum.end(), Vec3d{});
+    advance(w, 1);
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += w.walls[i].force * w.time_step.dt;
+    if (w.step % per_frame != 0) continue;
+    for (const std::size_t plane : {floor_wall, press}) {
+      const Wall& wall = w.walls[plane];
+      const auto map = tractions(w, wall);
+      ASSERT_EQ(map.size(), wall.load.squares.size());
+      EXPECT_TRUE(std::is_sorted(wall.load.squares.begin(), wall.load.squares.end()));
+      most = std::max(most, map.size());
+      Vec3d force{};
+      double total = 0;
+      for (const MapTraction& t : map) {
+        force += t.traction * (0.007 * 0.007);
+        total += norm(t.traction) * (0.007 * 0.007);
+        EXPECT_GE(t.pressure, 0);
+      }
+      EXPECT_LE(norm(force - sum[plane] * (1 / map_duration(w))), 1e-12 * total);
+    }
+  }
+  EXPECT_GT(most, 20u);
+}
+
+// Cubes at rest on a leaning plane: each loads the square that its centre is over, by its weight, and no other.
+TEST(WallLoads, OnlyTheSquaresUnderBodiesBearThem) {
+  Scene s;
+  s.gravity = {0, -4.8, -6.4};  // into the plane
+  s.materials = {scenes::material("soft", 1e7, 1000, 0.2, 0.5)};
+  s.shapes = {scenes::box("cube", {0.0625, 0.0625, 0.0625})};
+  s.walls = {scenes::plane("slope", "soft", {0.5, 0, 0}, {0, 0.6, 0.8})};
+  s.walls[0].pressure_map = true;
+  s.walls[0].map_cell = 0.25;
+  const World still = build_world(s);
+  const Quatd turn = still.walls[0].orientation;
+  const std::array<std::array<std::int64_t, 2>, 3> squares{{{-3, 2}, {0, -1}, {0, 7}}};
+  for (const auto& [i, j] : squares)
+    s.bodies.push_back(scenes::body(
+        "cube", "soft",
+        s.walls[0].point +
+            rotate(turn, Vec3d{0.25 * (static_cast<double>(i) + 0.4), 0.25 * (static_cast<double>(j) + 0.7), 0.03125}),
+        {}, {}, turn));
+  World w = build_world(s);
+  s.output.interval = 1000 * w.time_step.dt;
+  w = scenes::run(s, 4000);
+  const auto map = tractions(w, w.walls[0]);
+  ASSERT_EQ(map.size(), 3u);
+  const double pressure = 8 * 1000 * 0.0625 * 0.0625 * 0.0625 / (0.25 * 0.25);
+  const io::WallSurface drawn = io::map_squares(w, 0);
+  const std::vector<std::uint32_t> order = order_by_id(w);
+  for (std::size_t t = 0; t < map.size(); ++t) {
+    EXPECT_EQ(w.walls[0].load.squares[t], squares[t]);
+    EXPECT_NEAR(map[t].pressure, pressure, 1e-3 * pressure);
+    EXPECT_LT(norm(map[t].traction - Vec3d{0, -0.6, -0.8} * pressure), 1e-3 * pressure);
+    Vec3d twice{};  // the square in the file is under its cube, of the right area
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Vec3d a = drawn.vertices[4 * t + k] - w.particles.motion[order[t]].position;
+      const Vec3d b = drawn.vertices[4 * t + (k + 1) % 4] - w.particles.motion[order[t]].position;
+      twice += cross(a, b);
+      EXPECT_GT(dot(cross(a, b), Vec3d{0, 0.6, 0.8}), 0);
+    }
+    EXPECT_NEAR(norm(twice - dot(twice, Vec3d{0, 0.6, 0.8}) * Vec3d{0, 0.6, 0.8}), 0, 1e-12);
+    EXPECT_NEAR(dot(twice, Vec3d{0, 0.6, 0.8}), 2 * 0.25 * 0.25, 1e-12);
+  }
+}
+
 bool same_loads(const World& a, const World& b) {
   for (std::size_t i = 0; i < a.walls.size(); ++i) {
     const WallLoad &x = a.walls[i].load, &y = b.walls[i].load;
     if (impulse(a.walls[i]) != impulse(b.walls[i]) || x.work.value() != y.work.value()) return false;
-    if (x.map.size() != y.map.size()) return false;
+    if (x.map.size() != y.map.size() || x.squares != y.squares) return false;
     for (std::size_t t = 0; t < x.map.size(); ++t)
       if (x.map[t].force != y.map[t].force || x.map[t].tangential != y.map[t].tangential ||
           x.map[t].pressing != y.map[t].pressing)
@@ -130,14 +208,16 @@ TEST(WallLoads, SameBitsForThreadsAndSkinsAndWithoutTheMap) {
   const Scene s = tray();
   const World reference = scenes::run(s, 600);
   EXPECT_GT(reference.walls[ridge].load.map[0].pressing, 0);
+  EXPECT_GT(reference.walls[floor_wall].load.squares.size(), 10u);
   EXPECT_TRUE(same_loads(reference, scenes::run(s, 600, 3)));
   Scene other = s;
   other.run.skin = 0.3 * reference.skin;
   EXPECT_TRUE(same_loads(reference, scenes::run(other, 600)));
   other = s;
-  other.walls[ridge].pressure_map = false;
+  for (WallSpec& x : other.walls) x.pressure_map = false;
   const World off = scenes::run(other, 600);
   EXPECT_TRUE(off.walls[ridge].load.map.empty());
+  EXPECT_TRUE(off.walls[floor_wall].load.map.empty());
   EXPECT_EQ(state_hash(off), state_hash(reference));
 }
 
@@ -233,7 +313,7 @@ TEST(WallsCsv, WhatIsOffIsNotWritten) {
   Scene s = tray();
   s.run.steps = 3;
   s.output.walls = false;
-  s.walls[ridge].pressure_map = false;
+  for (WallSpec& x : s.walls) x.pressure_map = false;
   RunOptions options;
   options.folder = folder.path();
   World w = build_world(s);

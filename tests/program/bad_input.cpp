@@ -361,7 +361,12 @@ const std::vector<BadInput> inputs{
      "normal = [0, 0, 1]",
      "normal = [0, 0, 1]\npressure_map = true",
      nullptr,
-     {"wall.pressure_map", "kind"}},
+     {"wall.pressure_map = true", "of a plane needs map_cell (m)"}},
+    {"cells_of_no_map",
+     "normal = [0, 0, 1]",
+     "normal = [0, 0, 1]\nmap_cell = 0.1",
+     nullptr,
+     {"wall.map_cell = 0.1", "only goes with wall.pressure_map = true"}},
 };
 
 class BadScene : public testing::TestWithParam<BadInput> {};
