@@ -1,0 +1,42 @@
+#include <algorithm>
+#include <cmath>
+
+#include "tests/extremes/dimensions.h"
+#include "tests/reference/answer.h"
+
+namespace extremes {
+
+contact::Contact ask(const Case& c, std::string_view method) {
+  const contact::Body a = c.a.placed(), b = c.b.placed();
+  contact::Contact got;
+  contact::find(c.a.kind, c.b.kind, method)(1, &a, &b, &c.offset, {}, nullptr, &got);
+  return got;
+}
+
+Outcome judge(const Case& c, const contact::Contact& got) {
+  if (got.status == contact::Status::refused) return {Verdict::refused, 0, 0, false};
+  const reference::Real size = reference::Real(std::max({max_abs(c.offset), c.a.circumradius(), c.b.circumradius()}));
+  const auto finite = [](const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
+  if (!finite(got.normal) || !finite(got.point_a) || !finite(got.point_b) || !finite(got.patch.centre) ||
+      !std::isfinite(got.gap) || !(got.gap_lower <= got.gap) || !(got.gap <= got.gap_upper) || !(size > 0))
+    return {Verdict::wrong, 0, 0, got.certified};
+  reference::Answer truth = reference::answer(c.a, c.b, c.offset);
+  // Deep smooth bodies: the reference has the best of all directions but no close upper bound. A method may know a
+  // better direction, and must show it.
+  if (!truth.matched) {
+    truth.lower = std::max(truth.lower, reference::separation(c.a, c.b, c.offset, got.normal));
+    truth.upper = truth.lower;
+  }
+  const reference::Real step =
+      reference::Real(contact::epsilon) *
+      (norm(reference::Vector{c.offset.x, c.offset.y, c.offset.z}) + c.a.circumradius() + c.b.circumradius());
+  Outcome o{Verdict::wider, static_cast<double>((reference::Real(got.gap_upper) - got.gap_lower) / step),
+            static_cast<double>(abs(reference::Real(got.gap) - truth.lower) / step), got.certified};
+  if (truth.upper < got.gap_lower || (got.certified && truth.lower > got.gap_upper))
+    o.verdict = Verdict::wrong;
+  else if (o.error <= 64)
+    o.verdict = Verdict::holds;
+  return o;
+}
+
+}  // namespace extremes
