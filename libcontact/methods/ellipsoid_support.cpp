@@ -69,8 +69,8 @@ int maxima_of_edge(const EllipsoidAt& body, const Vec3d& p, const Vec3d& e, Vec3
   return 2;
 }
 
-Vec3d maximum_of_edge(const EllipsoidAt& body, const Vec3d& p, const Vec3d& e) {
-  const Shadow shadow(body, p, e);
+Vec3d EllipsoidAt::edge_maximum(const Vec3d& p, const Vec3d& e) const {
+  const Shadow shadow(*this, p, e);
   return shadow.outward(nearest_on_ellipsoid(shadow.semi_axes, shadow.at));
 }
 

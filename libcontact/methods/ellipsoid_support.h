@@ -26,6 +26,8 @@ struct EllipsoidAt {
   double least_curvature_radius() const;
   // max over all unit m of φ(m) for a point p: its signed distance (negative inside), with the m that gives it.
   double point_separation(const Vec3d& p, Vec3d& m) const;
+  // The m of the largest φ over those perpendicular to e.
+  Vec3d edge_maximum(const Vec3d& p, const Vec3d& e) const;
 };
 
 // The local maxima of φ over all directions (`maxima_of_point`) or over those perpendicular to e (`maxima_of_edge`),
@@ -33,7 +35,5 @@ struct EllipsoidAt {
 // that of a point and an ellipse, the shadow of the ellipsoid along e. Exact at any depth. Cost: 0.1 us each.
 int maxima_of_point(const EllipsoidAt& body, const Vec3d& p, Vec3d m[2]);
 int maxima_of_edge(const EllipsoidAt& body, const Vec3d& p, const Vec3d& e, Vec3d m[2]);
-// The largest of `maxima_of_edge`.
-Vec3d maximum_of_edge(const EllipsoidAt& body, const Vec3d& p, const Vec3d& e);
 
 }  // namespace contact

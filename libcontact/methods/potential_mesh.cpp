@@ -8,6 +8,7 @@
 #include "libcontact/methods/facet.h"
 #include "libcontact/methods/polyhedron_pair.h"
 #include "libcontact/methods/potential.h"
+#include "libcontact/methods/potential_lowered.h"
 #include "libcontact/methods/round_search.h"
 #include "libcontact/methods/segments.h"
 #include "libcontact/scale.h"
@@ -16,40 +17,6 @@ namespace contact {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// The body in the mesh's frame, seen along outward directions m of the mesh: its lowest point against m.
-struct Lowered {
-  PotentialAt body;
-  Vec3d origin;
-
-  struct At {
-    double separation;  // of the body over the plane m·x = 0
-    Vec3d lowest;
-    double excess;
-    PotentialAt::At own;
-  };
-  At at(const Vec3d& m, const At* near = nullptr) const {
-    const auto s = body.at(-m, near != nullptr ? &near->own : nullptr);
-    return {dot(m, origin) - s.height, origin + s.x, s.excess, s};
-  }
-  // g < 1 at x.
-  bool holds(const Vec3d& x) const { return level(x).g < 1; }
-  shapes::PotentialLevel<double> level(const Vec3d& x) const {
-    return level_at(*body.shape, (1 / body.scale) * transposed_times(body.rotation, x - origin) - body.shape->centre);
-  }
-  // A point of the segment start + t e lies inside: the least g on it, by bisection of its slope.
-  bool meets_segment(const Vec3d& start, const Vec3d& e) const {
-    const Vec3d along = transposed_times(body.rotation, e);
-    double low = 0, high = 1;
-    for (int i = 0; i < 50; ++i) {
-      const double t = i == 0 ? 0.0 : (i == 1 ? 1.0 : 0.5 * (low + high));
-      const auto here = level(start + t * e);
-      if (here.g < 1) return true;
-      (dot(here.half_gradient, along) < 0 ? low : high) = t;
-    }
-    return false;
-  }
-};
 
 bool meets(const FacetView& view, const Lowered& body, const Vec3d& lowest) {
   bool met = false;
@@ -61,59 +28,6 @@ bool meets(const FacetView& view, const Lowered& body, const Vec3d& lowest) {
   const double below = view.plane - dot(view.m, lowest), above = dot(view.m, inner) - view.plane;
   if (!(below > 0)) return false;
   return view.over_region(view.facet, above > 0 ? lowest + (below / (below + above)) * (inner - lowest) : inner);
-}
-
-struct Answer {
-  double gap = infinity;
-  Vec3d m{};
-  Lowered::At at{};
-  bool found = false;
-};
-
-// max of φ(m) = m·(c − p) − h(−m) over unit m perpendicular to e: Newton's method on one angle, as in (3).
-Answer best_across_edge(const Lowered& body, const Vec3d& p, const Vec3d& e, const Vec3d& start, double size) {
-  const Vec3d along = normalized(e);
-  const double unit = epsilon * size;
-  Answer a;
-  a.m = start;
-  a.at = body.at(a.m);
-  a.gap = a.at.separation - dot(a.m, p);
-  double last = infinity;
-  for (int i = 0; i < 60; ++i) {
-    const Vec3d t = cross(along, a.m);
-    const double r = dot(t, a.at.lowest - p);
-    const double k = body.body.radii(a.at.own, -a.m, t, along).k11 + a.gap;
-    const double slope = k > 0 ? k : std::abs(k) + 0x1p-10 * std::abs(r);
-    double turn = std::clamp(r / slope, -1.0, 1.0);
-    if ((std::abs(r) <= 8 * unit || std::abs(r) >= 0.5 * last) && r * turn <= 64 * unit) {
-      a.found = k > 0;
-      return a;
-    }
-    last = std::abs(r);
-    for (int cut = 0; cut < 24; ++cut, turn *= 0.25) {
-      const Vec3d m = normalized(a.m + turn * t);
-      const Lowered::At at = body.at(m, &a.at);
-      const double gap = at.separation - dot(m, p);
-      if (gap >= a.gap - 2 * unit || cut == 23) {
-        a.m = m;
-        a.at = at;
-        a.gap = gap;
-        break;
-      }
-    }
-  }
-  return a;
-}
-
-// max over all unit m for a point p: minus the pair of the point and the body.
-Answer best_at_point(const Lowered& body, const Vec3d& p, double size) {
-  RoundPair<BallAt, PotentialAt> pair{{0}, body.body, body.origin - p, 4 * size};
-  const auto root = pair.climb(pair.cold_start(), false);
-  const Vec3d& m = root.point.n;
-  return {root.point.f,
-          m,
-          {dot(m, body.origin) - root.point.b.height, body.origin + root.point.b.x, root.point.b.excess, root.point.b},
-          root.converged};
 }
 
 }  // namespace
@@ -160,9 +74,9 @@ Contact Potential::query(const Placed<shapes::PotentialParticle>& a, const Place
 
   const auto& facet = b.mesh->facets[b.facet];
   const double reach = body.body.circumradius() + (options.overlap_only ? allowance : infinity);
-  Answer best;
+  Maximum best;
   best.gap = options.overlap_only ? allowance : infinity;
-  const auto offer = [&](const Answer& found) {
+  const auto offer = [&](const Maximum& found) {
     best = found;
     best.found = true;
   };
@@ -175,7 +89,7 @@ Contact Potential::query(const Placed<shapes::PotentialParticle>& a, const Place
     Vec3d start = centre - cone.point;
     start -= dot(start, along) * along;
     start = dot(start, start) > 0 ? normalized(start) : view.m;
-    const Answer across = best_across_edge(body, cone.point, cone.direction, start, size);
+    const Maximum across = best_across_edge(body, cone.point, cone.direction, start, size);
     const double position = dot(across.at.lowest - cone.point, cone.direction);
     const bool beside = position >= 0 && position <= dot(cone.direction, cone.direction);
     if (across.found && across.gap < best.gap && beside && cone.holds(across.m) && cone.faces(across.m, centre))
@@ -183,7 +97,7 @@ Contact Potential::query(const Placed<shapes::PotentialParticle>& a, const Place
     for (const std::uint32_t v : view.edge(e).vertex) {
       const Vec3d end = view.vertex(v);
       if (norm(end - body.origin) > reach) continue;
-      const Answer at_end = best_at_point(body, end, size);
+      const Maximum at_end = best_at_point(body, end, size);
       if (at_end.found && at_end.gap < best.gap && dot(at_end.m, centre - end) > 0 &&
           end_is_owned(view, e, v, at_end.m, end + body.body.inner_radius() * at_end.m))
         offer(at_end);

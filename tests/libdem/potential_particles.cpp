@@ -163,8 +163,38 @@ TEST(PotentialParticles, ClumpsOfSpheresMeetThem) {
   EXPECT_EQ(w.counters.not_converged, 0u);
 }
 
+// Bricks set down on a box and on a rounded one: each bears the weight above it.
+TEST(PotentialParticles, RestOnBodiesWithFlatFaces) {
+  Scene s = tray(0);
+  s.gravity = {0, 0, -10};
+  s.shapes = {brick(), scenes::box("box", {0.02, 0.02, 0.01}), scenes::box("stone", {0.02, 0.02, 0.01})};
+  s.shapes[2].rounding = 0.002;
+  s.walls = {scenes::plane("floor", "soft", {0, 0, 0}, {0, 0, 1})};
+  s.fills.clear();
+  const ShapeEntry top = make_shapes(brick(), s).front();
+  const double height = 0.01 + top.potential->inscribed_radius + 1e-4;
+  const Quatd flat = scenes::turn({0, 1, 0}, 0.5 * std::numbers::pi);
+  s.bodies = {scenes::body("box", "soft", {0, 0, 0.005}), scenes::body("stone", "soft", {0.05, 0, 0.007}),
+              scenes::body("brick", "soft", {0.001, 0.002, height}, {}, {}, flat),
+              scenes::body("brick", "soft", {0.051, 0.002, height + 0.004}, {}, {}, flat)};
+  const World w = scenes::run(s, 60000);
+  EXPECT_EQ(w.counters.not_converged, 0u);
+  EXPECT_EQ(w.counters.uncertified, 0u);
+  int met = 0;
+  for (const ContactReport& c : touching_contacts(w)) {
+    if (c.wall) continue;
+    ++met;
+    const double up = c.normal.z;  // of a, the lower one, or of b
+    EXPECT_NEAR(std::abs(up), 1, 1e-6);
+    const std::vector<std::uint32_t> order = order_by_id(w);
+    EXPECT_NEAR(std::abs(c.force.z), 10 * w.particles.mass[order[2]], 1e-3 * std::abs(c.force.z));
+  }
+  EXPECT_EQ(met, 2);
+}
+
 TEST(PotentialParticles, PairsWithoutAMethodAreRefused) {
   Scene s;
+  s.method = "sat";
   s.materials = {scenes::material("soft", 5e6, 2500, 0.5, 0.4)};
   s.shapes = {brick(), scenes::box("box", {0.01, 0.01, 0.01})};
   s.bodies = {scenes::body("brick", "soft", {0, 0, 0.1}), scenes::body("box", "soft", {0, 0, 0.2})};

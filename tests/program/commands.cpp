@@ -149,10 +149,7 @@ TEST(List, JsonHasEveryList) {
   for (const json& pair : all["pairs"]) {
     const shapes::Kind a = kind.at(pair["a"]), b = kind.at(pair["b"]);
     if (!answered(a) || !answered(b)) continue;
-    const bool flat = a == shapes::Kind::polyhedron || a == shapes::Kind::rounded_polyhedron;
-    const bool never = (shapes::is_wall(a) && shapes::is_wall(b)) ||
-                       shapes::dimension_of(a) != shapes::dimension_of(b) ||
-                       (flat && b == shapes::Kind::potential_particle);  // which scenes refuse
+    const bool never = (shapes::is_wall(a) && shapes::is_wall(b)) || shapes::dimension_of(a) != shapes::dimension_of(b);
     EXPECT_EQ(pair["methods"].empty(), never) << pair["a"] << " " << pair["b"];
   }
 }
