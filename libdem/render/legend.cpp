@@ -163,4 +163,10 @@ void draw_categories(Image& image, const std::string& label, const std::vector<s
   }
 }
 
+int draw_words(Image& image, int x, int y, const std::string& words) {
+  Canvas canvas(image);
+  canvas.text(x, y, words);
+  return letters(words.size(), canvas.dot());
+}
+
 }  // namespace dem::render

@@ -17,5 +17,7 @@ int categories_width(const Image& image, const std::string& label, const std::ve
 void draw_bar(Image& image, const std::string& label, const Range& range, bool clipped);
 // A square and a name for each category.
 void draw_categories(Image& image, const std::string& label, const std::vector<std::string>& names);
+// Words with their upper left corner at (x, y), in the letters of the legends; their width, pixels.
+int draw_words(Image& image, int x, int y, const std::string& words);
 
 }  // namespace dem::render
