@@ -162,6 +162,7 @@ bool sliver(double level, Kind a, Kind b, Source& draw, Case& c) {
 bool many_faces(double level, Kind a, Kind b, Source& draw, Case& c) {
   static std::deque<std::pair<double, shapes::Polyhedron>> balls;
   if (a != Kind::polyhedron && b != Kind::polyhedron) return false;
+  if (b == Kind::potential_particle) return false;  // the reference would climb about every edge for minutes
   auto found = std::find_if(balls.begin(), balls.end(), [&](const auto& x) { return x.first == level; });
   if (found == balls.end()) {
     std::vector<Vec3d> points;
