@@ -49,9 +49,11 @@ struct Options {
   bool patch = true;
 };
 
-// A separating direction from an earlier query of the same pair: only ever used as a proof, never as a start.
+// What an earlier query of the same pair left: only ever used as a proof that is checked anew, never as a start. Any
+// content gives the same answer.
 struct Cache {
-  Vec3d axis{};  // zero: none; in A's body frame
+  Vec3d axis{};                // separating direction in A's body frame; zero: none
+  std::uint32_t feature[2]{};  // the method's own: what answered an overlap; zeros: none
 };
 
 // A body as a query sees it: geometry, size and rotation; its position enters only through `offset`.

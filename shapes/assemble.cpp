@@ -132,6 +132,7 @@ void complete(Polyhedron& p) {
     p.circumradius = std::fmax(p.circumradius, safe_norm(v));
   }
   p.inscribed_radius = p.faces[0].offset;
+  p.core_radius = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < padded(p.faces.size()); ++i) {
     const Polyhedron::Face& f = p.faces[i < p.faces.size() ? i : 0];
     p.nx.push_back(f.normal.x);
@@ -139,7 +140,9 @@ void complete(Polyhedron& p) {
     p.nz.push_back(f.normal.z);
     p.nd.push_back(f.offset);
     p.inscribed_radius = std::fmin(p.inscribed_radius, f.offset);
+    p.core_radius = std::fmin(p.core_radius, f.offset - dot(f.normal, p.mass.centre));
   }
+  add_neighbours(p);
 }
 
 }  // namespace

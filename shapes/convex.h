@@ -75,6 +75,9 @@ MassProperties mass_of(std::span<const Vec3d> vertices, std::span<const Loop> lo
 // Centre and principal axes of a body of this size; identity where it stands there already, to round-off.
 Pose principal_frame(const MassProperties& mass, double size);
 
+// Spokes, rises and the lookup table, from vertices, faces and edges.
+void add_neighbours(Polyhedron& p);
+
 // The finished polyhedron, its lengths multiplied by 2^exponent.
 Polyhedron assemble(Faces faces, Frame frame, int exponent);
 

@@ -1,5 +1,6 @@
 // Convex polyhedron, canonical: every vertex is extreme, coplanar triangles are merged into one face, every edge joins
-// two faces. Vertices are also kept as padded structures of arrays for kernels whose lanes run within a pair.
+// two faces. Vertices are also kept as padded structures of arrays for kernels whose lanes run within a pair, and with
+// their neighbours, for walks over the surface.
 #pragma once
 
 #include <cstdint>
@@ -34,12 +35,25 @@ struct Polyhedron {
   std::vector<std::uint32_t> face_edges;  // parallel to face_vertices: the edge from this loop vertex to the next one
   std::vector<Edge> edges;
 
+  struct Spoke {           // an edge as seen from one of its vertices
+    std::uint32_t vertex;  // the other one
+    std::uint32_t edge;
+    std::uint32_t face;  // between this spoke and the next
+  };
+  std::vector<std::uint32_t> first_spoke;  // of vertex i: spokes[first_spoke[i] .. first_spoke[i + 1]),
+  std::vector<Spoke> spokes;               // counter-clockwise from outside
+  std::vector<double> face_rise;           // m, how far below the face's plane the next vertex lies
+  // A vertex that is extreme near each direction: the sphere cut into 6·lookup_cells² patches (vertex_lookup.h).
+  std::uint32_t lookup_cells = 0;
+  std::vector<std::uint32_t> lookup;
+
   std::vector<double> vx, vy, vz;      // vertices, padded to a multiple of polyhedron_padding
   std::vector<double> nx, ny, nz, nd;  // face normals and offsets, padded alike (by repeating face 0)
 
   MassProperties mass;        // in this frame; centre is the origin when the frame is principal
   double circumradius{};      // m, largest |vertex|
   double inscribed_radius{};  // m, smallest face offset (> 0 when the origin is inside)
+  double core_radius{};       // m, of the ball about the centre of mass that the faces leave
   Pose frame;                 // x_input = R(frame.orientation) x_body + frame.position
 };
 

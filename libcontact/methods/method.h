@@ -91,15 +91,18 @@ inline bool seen_from_b(const Vec3d& offset) {
 }
 
 // The answer of (b, a, −offset) as the answer of (a, b, offset).
-inline Contact exchanged(Contact c, const Vec3d& offset) {
+inline void exchange(Contact& c, const Vec3d& offset) {
   c.normal = -c.normal;
   c.method_normal = -c.method_normal;
-  if (!(c.gap_upper <= std::numeric_limits<double>::max())) return c;  // refused or stopped at a proof: no points
+  if (!(c.gap_upper <= std::numeric_limits<double>::max())) return;  // refused or stopped at a proof: no points
   const Vec3d point_a = c.point_b + offset;
   c.point_b = c.point_a + offset;
   c.point_a = point_a;
   c.patch.centre += offset;
   c.method_point += offset;
+}
+inline Contact exchanged(Contact c, const Vec3d& offset) {
+  exchange(c, offset);
   return c;
 }
 

@@ -8,6 +8,7 @@
 // leaves the patch moves nothing at once.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include "libcontact/contact.h"
@@ -23,6 +24,19 @@ struct DepthMoments {
   double h = 0, hh = 0, hu = 0, hv = 0, huu = 0, hvv = 0, huv = 0;  // ∫ of the named product over the patch
   DepthPoint deepest{0, 0, -1};
   void add(const DepthPoint* polygon, std::size_t count);  // convex, counter-clockwise or clockwise, h >= 0
+  // The triangle of (0, 0) at depth d and two points at depth 0; counted where it is counter-clockwise.
+  void add_corner(double d, const DepthPoint& p, const DepthPoint& q) {
+    const double area = 0.5 * (p.u * q.v - p.v * q.u);
+    if (!(area > 0)) return;
+    const double t = area * d, t3 = t / 3, t12 = t / 12, t60 = t / 60;
+    h += t3;
+    hh += t3 * (0.5 * d);
+    hu += t12 * (p.u + q.u);
+    hv += t12 * (p.v + q.v);
+    huu += 2 * t60 * (p.u * p.u + q.u * q.u + p.u * q.u);
+    hvv += 2 * t60 * (p.v * p.v + q.v * q.v + p.v * q.v);
+    huv += t60 * (2 * (p.u * p.v + q.u * q.v) + p.u * q.v + q.u * p.v);
+  }
 };
 
 // Sutherland–Hodgman step: the part of a convex polygon with cu·u + cv·v + ch·h + c >= 0. `out` has room for count + 1.
@@ -41,7 +55,36 @@ struct DepthMap {
   }
 };
 
-// Calls visit(polygon, count) for the part with h > 0 of every face that looks at the plane; count <= polygon_cap + 1.
+// Calls visit(polygon, count) for the part of a face with h > 0, when it looks at the plane; count <= polygon_cap + 1.
+// depth_of(i) is the depth of vertex i.
+template <class Depth, class Visit>
+void visit_submerged(const shapes::Polyhedron& p, const shapes::Polyhedron::Face& face, const DepthMap& map,
+                     Depth&& depth_of, Visit&& visit) {
+  if (dot(face.normal, map.normal) >= 0) return;
+  const std::uint32_t* loop = p.face_vertices.data() + face.first;
+  bool below = false, above = false;
+  for (std::size_t k = 0; k < face.count; ++k) (depth_of(loop[k]) > 0 ? below : above) = true;
+  if (!below) return;
+  DepthPoint polygon[polygon_cap], clipped[polygon_cap + 1];
+  const auto emit = [&](std::size_t count) {
+    if (!above) return visit(static_cast<const DepthPoint*>(polygon), count);
+    const std::size_t kept = clip(polygon, count, 0, 0, 1, 0, clipped);
+    if (kept >= 3) visit(static_cast<const DepthPoint*>(clipped), kept);
+  };
+  if (face.count <= polygon_cap) {
+    for (std::size_t k = 0; k < face.count; ++k) polygon[k] = map(p.vertices[loop[k]]);
+    emit(face.count);
+  } else {
+    polygon[0] = map(p.vertices[loop[0]]);
+    for (std::size_t k = 1; k + 1 < face.count; ++k) {
+      polygon[1] = map(p.vertices[loop[k]]);
+      polygon[2] = map(p.vertices[loop[k + 1]]);
+      emit(3);
+    }
+  }
+}
+
+// The same for every face.
 template <class Visit>
 void for_each_submerged(const shapes::Polyhedron& p, const DepthMap& map, Visit&& visit) {
   constexpr std::size_t cap = 256;
@@ -52,30 +95,34 @@ void for_each_submerged(const shapes::Polyhedron& p, const DepthMap& map, Visit&
   const auto depth_of = [&](std::uint32_t i) {
     return known ? height[i] : map.h0 - map.scale * dot(map.normal, p.vertices[i]);
   };
-  for (const auto& face : p.faces) {
-    if (dot(face.normal, map.normal) >= 0) continue;
-    const std::uint32_t* loop = p.face_vertices.data() + face.first;
-    bool below = false, above = false;
-    for (std::size_t k = 0; k < face.count; ++k) (depth_of(loop[k]) > 0 ? below : above) = true;
-    if (!below) continue;
-    DepthPoint polygon[polygon_cap], clipped[polygon_cap + 1];
-    const auto emit = [&](std::size_t count) {
-      if (!above) return visit(static_cast<const DepthPoint*>(polygon), count);
-      const std::size_t kept = clip(polygon, count, 0, 0, 1, 0, clipped);
-      if (kept >= 3) visit(static_cast<const DepthPoint*>(clipped), kept);
-    };
-    if (face.count <= polygon_cap) {
-      for (std::size_t k = 0; k < face.count; ++k) polygon[k] = map(p.vertices[loop[k]]);
-      emit(face.count);
-    } else {
-      polygon[0] = map(p.vertices[loop[0]]);
-      for (std::size_t k = 1; k + 1 < face.count; ++k) {
-        polygon[1] = map(p.vertices[loop[k]]);
-        polygon[2] = map(p.vertices[loop[k + 1]]);
-        emit(3);
-      }
+  for (const auto& face : p.faces) visit_submerged(p, face, map, depth_of, visit);
+}
+
+// The same by a walk over the vertices below the plane from the deepest one: they hang together, the body being convex.
+// For the few of a shallow overlap; false, before anything is visited, when there are more.
+template <class Visit>
+bool for_each_submerged_near(const shapes::Polyhedron& p, const DepthMap& map, std::uint32_t deepest, Visit&& visit) {
+  constexpr std::size_t cap = 24;
+  std::uint32_t below[cap];
+  std::size_t count = 1;
+  below[0] = deepest;
+  const auto depth_of = [&](std::uint32_t i) { return map.h0 - map.scale * dot(map.normal, p.vertices[i]); };
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::uint32_t k = p.first_spoke[below[i]]; k < p.first_spoke[below[i] + 1]; ++k) {
+      const std::uint32_t u = p.spokes[k].vertex;
+      if (!(depth_of(u) > 0) || std::find(below, below + count, u) != below + count) continue;
+      if (count == cap) return false;
+      below[count++] = u;
     }
-  }
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::uint32_t k = p.first_spoke[below[i]]; k < p.first_spoke[below[i] + 1]; ++k) {
+      const auto& face = p.faces[p.spokes[k].face];
+      // A face belongs to the first of its vertices that is in the list.
+      const std::uint32_t* loop = p.face_vertices.data() + face.first;
+      if (std::find_first_of(below, below + i, loop, loop + face.count) == below + i)
+        visit_submerged(p, face, map, depth_of, visit);
+    }
+  return true;
 }
 
 // Plane of a patch: origin on it, orthonormal axes, u × v = normal; in any frame.

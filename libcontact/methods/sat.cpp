@@ -3,157 +3,259 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libcontact/methods/expansion.h"
 #include "libcontact/methods/face_patch.h"
 #include "libcontact/methods/gjk.h"
 #include "libcontact/methods/method.h"
 #include "libcontact/methods/sat_search.h"
-#include "libcontact/methods/segments.h"
 #include "libcontact/scale.h"
 
 namespace contact {
 namespace {
 
-// The answer is built in A's frame, in units; this takes it to the caller's axes and metres.
-struct Frame {
-  const Mat3d& rotation;
-  double up;
-  double size;  // L in units
+using Solid = Placed<shapes::Polyhedron>;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  Contact finish(Contact c, double lower, double upper, const Vec3d& normal) const {
+// What a cache holds, seen from the body that the pair is solved from. A facet is kept with its kind in the two upper
+// bits; a separating axis with the two vertices that it is extreme at, from which a walk begins.
+class Memory {
+ public:
+  // `turned`: solved from the caller's B; `turn` takes directions of that body to the caller's A.
+  Memory(Cache* cache, bool turned, const Solid& first, const Solid& second)
+      : cache_(cache), turned_(turned), first_(first), second_(second) {}
+
+  DifferenceFacet facet() const {
+    if (cache_ == nullptr) return {};
+    return seen({static_cast<DifferenceFacet::Kind>(cache_->feature[0] >> 30), cache_->feature[0] & 0x3fffffffu,
+                 cache_->feature[1]});
+  }
+  void keep(const DifferenceFacet& facet) const {
+    if (cache_ == nullptr) return;
+    cache_->axis = {};
+    store(facet);
+  }
+  void keep(const Vec3d& axis, const Separation& at) const {
+    if (cache_ == nullptr) return;
+    cache_->axis = turned_ ? -transposed_times(second_.rotation, first_.rotation * axis) : axis;
+    store({DifferenceFacet::none, at.on_self, at.on_other});
+  }
+
+ private:
+  DifferenceFacet seen(const DifferenceFacet& f) const {
+    if (!turned_) return f;
+    const auto kind = f.kind == DifferenceFacet::face_of_a   ? DifferenceFacet::face_of_b
+                      : f.kind == DifferenceFacet::face_of_b ? DifferenceFacet::face_of_a
+                                                             : f.kind;
+    return {kind, f.b, f.a};
+  }
+  void store(const DifferenceFacet& f) const {
+    const DifferenceFacet kept = seen(f);
+    const bool fits = kept.a < 0x40000000u;
+    cache_->feature[0] = fits ? static_cast<std::uint32_t>(kept.kind) << 30 | kept.a : 0;
+    cache_->feature[1] = fits ? kept.b : 0;
+  }
+
+  Cache* cache_;
+  bool turned_;
+  const Solid &first_, &second_;
+};
+
+// The bodies as they are placed, along world axes, in units.
+struct Frame {
+  const Mat3d &rotation_a, &rotation_b;
+  Vec3d offset;
+  double up;    // units -> metres
+  double size;  // L
+
+  // Completes an answer with gap, normal and points; to metres.
+  void finish(Contact& c, double lower, double upper) const {
     c.certified = true;
     c.gap_lower = lower - polyhedron_rounding * size;
     c.gap_upper = upper + polyhedron_rounding * size;
     c.status = c.gap_lower > 0 ? Status::separated : (c.gap_upper < 0 ? Status::overlapping : Status::touching);
-    c.normal = c.method_normal = rotation * normal;
-    c.point_a = rotation * c.point_a;
-    c.point_b = rotation * c.point_b;
+    c.method_normal = c.normal;
     c.method_point = 0.5 * (c.point_a + c.point_b);
     c.method_overlap = -c.gap;
     rescale(c, up);
-    return c;
-  }
-  // A direction whose support separation proves that the bodies are apart.
-  Contact proof(double value, const Vec3d& normal, Cache* cache) const {
-    if (cache) cache->axis = normal;
-    Contact c;
-    c.status = Status::separated;
-    c.certified = true;
-    c.gap = c.gap_lower = (value - polyhedron_rounding * size) * up;
-    c.gap_upper = std::numeric_limits<double>::infinity();
-    c.normal = c.method_normal = rotation * normal;
-    c.method_overlap = -c.gap;
-    return c;
   }
 };
 
-// Witness points of an edge–edge axis: the closest points of the two lines, a gap apart along the normal.
-void edge_witness(const PolyhedronPair& pair, const EdgeAxis& axis, double gap, Contact& c) {
-  const auto& ea = pair.self->edges[axis.edge_a];
-  const auto& eb = pair.other->edges[axis.edge_b];
+// `lower`, in metres, bounds the gap from below along a direction in world axes: nothing more is asked.
+void stop_at(Contact& c, double lower, const Vec3d& normal) {
+  c.status = Status::separated;
+  c.certified = true;
+  c.gap = c.gap_lower = lower;
+  c.gap_upper = infinity;
+  c.normal = c.method_normal = normal;
+  c.method_overlap = -lower;
+}
+
+// The highest vertex along a direction, from one that was the highest a step ago.
+Extreme highest_again(const shapes::Polyhedron& p, const Vec3d& direction, std::uint32_t& from) {
+  if (p.vx.size() <= scan_limit / 2) return highest_vertex(p, direction);
+  const Extreme found = climb(p, direction, from < p.vertices.size() ? from : 0);
+  from = found.index;
+  return found;
+}
+
+// Does the axis in the cache still separate the bodies?
+bool still_apart(const Solid& a, const Solid& b, const Vec3d& offset, Cache& cache, Contact& c) {
+  Vec3d n = cache.axis;
+  const double square = dot(n, n);
+  if (!(std::abs(square - 1) <= 16 * epsilon)) {
+    if (!cached_direction(&cache, n)) return false;
+  }
+  const double extent = std::abs(offset.x) + std::abs(offset.y) + std::abs(offset.z) +
+                        (a.scale * a.shape->circumradius + b.scale * b.shape->circumradius);
+  if (!(a.scale > 0 && b.scale > 0 && extent_in_range(extent))) return false;
+  const Vec3d world = a.rotation * n;
+  const Vec3d back = -transposed_times(b.rotation, world);
+  std::uint32_t on_a = cache.feature[0], on_b = cache.feature[1];
+  const double between = dot(world, offset);
+  double value =
+      between - a.scale * highest_again(*a.shape, n, on_a).value - b.scale * highest_again(*b.shape, back, on_b).value;
+  // What a walk may have missed is settled by looking at every vertex where it could matter.
+  if (!(value > 0x1p-30 * extent))
+    value = between - a.scale * highest_vertex(*a.shape, n).value - b.scale * highest_vertex(*b.shape, back).value;
+  if (!(value > proof_margin(extent))) return false;
+  cache.axis = n;
+  cache.feature[0] = on_a;
+  cache.feature[1] = on_b;
+  stop_at(c, value - polyhedron_rounding * extent, world);
+  return true;
+}
+
+// Witness points of an edge–edge axis, in A's frame: the closest points of the two lines, a gap apart along the normal.
+void edge_witness(const PolyhedronPair& pair, const DifferenceFacet& facet, const FacetAxis& axis, Contact& c) {
+  const auto& ea = pair.self->edges[facet.a];
+  const auto& eb = pair.other->edges[facet.b];
   const Vec3d p = pair.self_vertex(ea.vertex[0]), e = pair.self_vertex(ea.vertex[1]) - p;
   const Vec3d q = pair.other_vertex(eb.vertex[0]), f = pair.other_vertex(eb.vertex[1]) - q;
   const Vec3d n = cross(e, f);
   const double square = dot(n, n);
   const double s = square > 0 ? std::clamp(dot(cross(q - p, f), n) / square, 0.0, 1.0) : 0.5;
   c.point_a = p + s * e;
-  c.point_b = c.point_a + gap * axis.normal;
+  c.point_b = c.point_a + axis.value * axis.normal;
 }
 
-// The query of (b, a, −offset): a cached axis is A's to the caller, B's there.
-Contact from_the_other(const Placed<shapes::Polyhedron>& a, const Placed<shapes::Polyhedron>& b, const Vec3d& offset,
-                       const Options& options, Cache* cache) {
-  if (cache == nullptr) return Sat::query(b, a, -offset, options, nullptr);
-  Cache other{-transposed_times(b.rotation, a.rotation * cache->axis)};
-  const Contact c = Sat::query(b, a, -offset, options, &other);
-  cache->axis = -transposed_times(a.rotation, b.rotation * other.axis);
-  return c;
+// The nearest facet of the difference, with its proof: by a ray from inside, at once for a shallow overlap; else by an
+// expansion. False: not found; `apart` is then a direction along which the bodies seem to be apart, if one was met.
+bool find_nearest(const DifferencePair& pair, DifferenceFacet& facet, FacetAxis& axis, Vec3d& apart) {
+  const Exit exit = leave(pair, pair.core);
+  if (exit.kind == Exit::apart) apart = exit.normal;
+  if (exit.kind == Exit::facet) return expand(pair, pair.core, exit.corner, facet, axis);
+  facet = exit.face;
+  axis = exit.axis;
+  return exit.kind == Exit::nearest;
+}
+
+void overlap(const DifferencePair& pair, const DifferenceFacet& facet, const FacetAxis& axis, const Frame& frame,
+             Contact& c) {
+  c.gap = axis.value;
+  if (facet.kind == DifferenceFacet::face_of_a) {
+    c.normal = frame.rotation_a * axis.normal;
+    face_patch(pair, frame.rotation_a, {}, facet.a, facet.b, axis.value, c.point_a, c.point_b, c.patch);
+  } else if (facet.kind == DifferenceFacet::face_of_b) {
+    c.normal = -(frame.rotation_b * pair.other->faces[facet.b].normal);
+    face_patch(pair.swapped(), frame.rotation_b, frame.offset, facet.b, facet.a, axis.value, c.point_b, c.point_a,
+               c.patch);
+  } else {
+    edge_witness(pair, facet, axis, c);
+    c.normal = frame.rotation_a * axis.normal;
+    c.point_a = frame.rotation_a * c.point_a;
+    c.point_b = frame.rotation_a * c.point_b;
+    c.patch.centre = 0.5 * (c.point_a + c.point_b);
+  }
+  frame.finish(c, axis.value, axis.value);
+}
+
+// The distance, from a direction along which the bodies do not overlap.
+void distance(const PolyhedronPair& pair, const Vec3d& direction, const Frame& frame, const Memory& memory,
+              Contact& c) {
+  const PolyhedronDistance found = polyhedron_distance(pair, direction, frame.size);
+  memory.keep(found.normal, pair.separation(found.normal));
+  c.gap = 0.5 * (found.lower + found.upper);
+  c.normal = frame.rotation_a * found.normal;
+  c.point_a = frame.rotation_a * found.on_self;
+  c.point_b = frame.rotation_a * found.on_other;
+  c.patch.centre = 0.5 * (c.point_a + c.point_b);
+  c.iterations = found.iterations;
+  frame.finish(c, found.lower, found.upper);
+}
+
+// Leaves c refused where it cannot answer.
+void solve(const Solid& a, const Solid& b, const Vec3d& offset, const Options& options, const Memory& memory,
+           Contact& c) {
+  const double radius_a = a.scale * a.shape->circumradius, radius_b = b.scale * b.shape->circumradius;
+  const double extent = max_abs(offset) + (radius_a + radius_b);
+  if (!(a.scale > 0 && b.scale > 0 && extent_in_range(extent) && all_at_least(offset, -extent))) return;
+  const Scale unit = scale_of(extent);
+  const Vec3d d_world = unit.down * offset;
+  const double length = norm(d_world), reach = unit.down * (radius_a + radius_b);
+  const Frame frame{a.rotation, b.rotation, d_world, unit.up, length + reach};
+  const double enough = options.overlap_only ? proof_margin(frame.size) : infinity;
+  const auto apart_along = [&](double value, const Vec3d& world) {
+    stop_at(c, (value - polyhedron_rounding * frame.size) * unit.up, world);
+  };
+  const DifferencePair pair(
+      {a.shape,
+       b.shape,
+       unit.down * a.scale,
+       unit.down * b.scale,
+       {{transposed_times(b.rotation, a.rotation.column(0)), transposed_times(b.rotation, a.rotation.column(1)),
+         transposed_times(b.rotation, a.rotation.column(2))}},
+       transposed_times(a.rotation, d_world)},
+      frame.size);
+  if (length - reach > enough) {
+    const Vec3d n = pair.offset * (1 / length);
+    memory.keep(n, pair.separation(n));
+    return apart_along(length - reach, d_world * (1 / length));
+  }
+  const auto apart_for_sure = [&](const Vec3d& n) {
+    const Separation at = pair.separation(n);
+    if (!(at.value > enough)) return false;
+    memory.keep(n, at);
+    apart_along(at.value, a.rotation * n);
+    return true;
+  };
+  DifferenceFacet facet = memory.facet();
+  FacetAxis axis{};
+  if (prove_nearest(pair, facet, axis) != Nearest::proven) {
+    if (axis.value > enough && apart_for_sure(axis.normal)) return;  // what overlapped before may separate now
+    Vec3d apart{};
+    if (!find_nearest(pair, facet, axis, apart)) {
+      if (const double square = dot(apart, apart); square > 0) {
+        const Vec3d n = apart * (1 / std::sqrt(square));
+        if (apart_for_sure(n)) return;
+        if (pair.separation(n).value > 0) return distance(pair, n, frame, memory, c);
+      }
+      facet = search_all(pair, enough);
+      if (facet.kind == DifferenceFacet::none) return;  // nothing compares: a rotation is not finite
+      axis = axis_of(pair, facet);
+      if (!(std::abs(axis.value) <= 8)) return;
+      if (axis.value > enough && apart_for_sure(axis.normal)) return;
+      if (axis.value > -polyhedron_rounding * frame.size) return distance(pair, axis.normal, frame, memory, c);
+    }
+  }
+  memory.keep(facet);
+  overlap(pair, facet, axis, frame, c);
 }
 
 }  // namespace
 
 Contact Sat::query(const Placed<shapes::Polyhedron>& a, const Placed<shapes::Polyhedron>& b, const Vec3d& offset,
                    const Options& options, Cache* cache) {
-  if (seen_from_b(offset)) return exchanged(from_the_other(a, b, offset, options, cache), offset);
-  const double radius_a = a.scale * a.shape->circumradius, radius_b = b.scale * b.shape->circumradius;
-  const double extent = max_abs(offset) + (radius_a + radius_b);
-  if (!(a.scale > 0 && b.scale > 0 && extent_in_range(extent) && all_at_least(offset, -extent))) return refused();
-  const Scale unit = scale_of(extent);
-  const Vec3d d_world = unit.down * offset;
-  const double distance = norm(d_world);
-  const PolyhedronPair pair{
-      a.shape,
-      b.shape,
-      unit.down * a.scale,
-      unit.down * b.scale,
-      {{transposed_times(b.rotation, a.rotation.column(0)), transposed_times(b.rotation, a.rotation.column(1)),
-        transposed_times(b.rotation, a.rotation.column(2))}},
-      transposed_times(a.rotation, d_world)};
-  const Frame frame{a.rotation, unit.up, distance + unit.down * (radius_a + radius_b)};
-  const double enough = options.overlap_only ? proof_margin(frame.size) : std::numeric_limits<double>::infinity();
-  if (options.overlap_only) {
-    Vec3d axis;
-    if (cached_direction(cache, axis)) {
-      const double value = pair.separation(axis).value;
-      if (value > enough) return frame.proof(value, axis, cache);
-    }
-    const double apart = distance - unit.down * (radius_a + radius_b);
-    if (apart > enough) return frame.proof(apart, pair.offset * (1 / distance), cache);
-  }
-
-  const PolyhedronPair reversed = pair.swapped();
-  FaceSearch faces_a(pair), faces_b(reversed);
-  double best = -std::numeric_limits<double>::infinity();
-  std::uint32_t face = 0;
-  EdgeAxis axis{};
-  enum { none, face_of_a, face_of_b, edges } kind = none;
-  if (faces_a.search(best, enough, face)) kind = face_of_a;
-  if (!(best > enough)) {
-    double bar = best + face_preference * frame.size;
-    if (faces_b.search(bar, enough, face)) kind = face_of_b, best = bar;
-  }
-  if (!(best > 0)) {
-    const double bar = best + face_preference * frame.size;
-    if (search_edges(faces_a, faces_b, bar, enough, axis)) kind = edges, best = axis.value;
-  }
-  if (kind == none) return refused();  // nothing compares: a rotation is not finite
-  const Vec3d normal = kind == face_of_a   ? a.shape->faces[face].normal
-                       : kind == face_of_b ? -(pair.other_to_self * b.shape->faces[face].normal)
-                                           : axis.normal;
-  if (best > enough) return frame.proof(best, normal, cache);
-
   Contact c;
-  const Separation support = pair.separation(normal);
-  const double lower = support.value;
-  if (!(std::abs(lower) <= 8)) return refused();
-  if (lower > -polyhedron_rounding * frame.size) {
-    const PolyhedronDistance found = polyhedron_distance(pair, normal, frame.size);
-    if (cache) cache->axis = found.normal;
-    c.gap = 0.5 * (found.lower + found.upper);
-    c.point_a = found.on_self;
-    c.point_b = found.on_other;
-    c.patch.centre = a.rotation * (0.5 * (c.point_a + c.point_b));
-    c.iterations = found.iterations;
-    return frame.finish(c, found.lower, found.upper, found.normal);
-  }
-  if (cache) cache->axis = {};
-  c.gap = lower;
-  Patch patch;
-  bool spread = false;
-  if (kind == edges) {
-    edge_witness(pair, axis, lower, c);
-  } else if (kind == face_of_a) {
-    spread = face_patch(pair, face, support.on_other, lower, c.point_a, c.point_b, patch);
+  if (options.overlap_only && cache != nullptr && still_apart(a, b, offset, *cache, c)) return c;
+  c.gap_lower = -infinity;
+  c.gap_upper = infinity;
+  if (seen_from_b(offset)) {
+    solve(b, a, -offset, options, {cache, true, b, a}, c);
+    exchange(c, offset);
   } else {
-    spread = face_patch(reversed, face, support.on_self, lower, c.point_b, c.point_a, patch);
-    const auto to_a = [&](const Vec3d& x) { return pair.other_to_self * x + pair.offset; };
-    c.point_a = to_a(c.point_a);
-    c.point_b = to_a(c.point_b);
-    patch = rotated(patch, pair.other_to_self);
-    patch.centre += pair.offset;
+    solve(a, b, offset, options, {cache, false, a, b}, c);
   }
-  if (!spread) patch = {0.5 * (c.point_a + c.point_b), {}};
-  c.patch = rotated(patch, a.rotation);
-  return frame.finish(c, lower, std::max(lower, best), normal);
+  return c;
 }
 
 }  // namespace contact

@@ -4,20 +4,13 @@
 #include <cmath>
 #include <limits>
 
-#include "libcontact/methods/segments.h"
+#include "libcontact/methods/edge_arcs.h"
 
 namespace contact {
 namespace {
 
 constexpr std::uint32_t unset = 0xffffffffu;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// An edge as an arc of the Gauss map, in A's frame.
-struct Arc {
-  Vec3d point, direction;  // first vertex, and second minus first
-  Vec3d n0, n1;            // outward normals of its faces
-  std::uint32_t edge;
-};
 
 using Lanes = std::experimental::native_simd<double>;
 using std::experimental::element_aligned;
@@ -29,13 +22,6 @@ void for_each_height(const shapes::Polyhedron& p, double scale, const Vec3d& x, 
   for (std::size_t i = 0; i < p.nx.size(); i += Lanes::size())
     use(i, Lanes(&p.nx[i], element_aligned) * vx + Lanes(&p.ny[i], element_aligned) * vy +
                Lanes(&p.nz[i], element_aligned) * vz - s * Lanes(&p.nd[i], element_aligned));
-}
-
-Arc arc_of(const PolyhedronPair& pair, std::uint32_t i) {
-  const auto& edge = pair.self->edges[i];
-  const Vec3d p = pair.self_vertex(edge.vertex[0]);
-  return {p, pair.self_vertex(edge.vertex[1]) - p, pair.self->faces[edge.face[0]].normal,
-          pair.self->faces[edge.face[1]].normal, i};
 }
 
 }  // namespace
@@ -64,13 +50,13 @@ FaceSearch::Face FaceSearch::separation(std::uint32_t i) {
   return found;
 }
 
-bool FaceSearch::search(double& bar, double enough, std::uint32_t& best) {
+bool FaceSearch::search(double& bar, double enough, std::uint32_t& best, Face& held) {
   const shapes::Polyhedron& self = *pair_.self;
   const auto count = static_cast<std::uint32_t>(self.faces.size());
   bool found = false;
   const auto evaluate = [&](std::uint32_t i) {
     const Face face = separation(i);
-    if (face.value > bar) bar = face.value, best = i, found = true;
+    if (face.value > bar) bar = face.value, best = i, held = face, found = true;
     return face.on_other;
   };
   if (known_ == 0) {  // more faces than are remembered: one pass, bounded by the ball and the best vertex so far
@@ -152,7 +138,10 @@ bool FaceSearch::may_exceed(const shapes::Polyhedron::Edge& edge, double bar) {
   return bound > 0 || bound > bar;
 }
 
-bool search_edges(FaceSearch& a, FaceSearch& b, double bar, double enough, EdgeAxis& best) {
+namespace {
+
+// The best edge–edge axis whose separation exceeds `bar`, which it raises. Stops at the first one above `enough`.
+bool search_edges(FaceSearch& a, FaceSearch& b, double& bar, double enough, DifferenceFacet& best) {
   const PolyhedronPair& pair = a.pair();
   std::uint32_t edges_a[FaceSearch::edge_block], edges_b[FaceSearch::edge_block];
   Arc arcs_b[FaceSearch::edge_block];
@@ -161,54 +150,30 @@ bool search_edges(FaceSearch& a, FaceSearch& b, double bar, double enough, EdgeA
   const auto count_b = static_cast<std::uint32_t>(pair.other->edges.size());
 
   const auto try_pair = [&](const Arc& ea, const Arc& eb) {
-    // The arcs n0 n1 of A and −m0 −m1 of B cross when each one's ends lie on both sides of the other's great circle, on
-    // the same half of the sphere. Ends on the circle count as crossing: the separation found is checked below.
-    const double s0 = dot(ea.n0, eb.direction), s1 = dot(ea.n1, eb.direction);
-    if ((s0 > 0 && s1 > 0) || (s0 < 0 && s1 < 0)) return;
-    const double t0 = dot(eb.n0, ea.direction), t1 = dot(eb.n1, ea.direction);
-    if ((t0 > 0 && t1 > 0) || (t0 < 0 && t1 < 0)) return;
-    if ((t0 > 0 && s1 > 0) || (t0 < 0 && s1 < 0)) return;
-    const double w0 = std::abs(s1), w1 = std::abs(s0), weight = w0 + w1;
-    if (!(weight > 0)) return;  // parallel edges: the faces beside them are as good
-    Vec3d along = w0 * ea.n0 + w1 * ea.n1;
+    Vec3d along, n;
+    double weight = 0;
+    if (!arcs_cross(ea, eb, along, weight)) return;
     const double rise = dot(along, eb.point - ea.point);
     if (rise <= 0 && rise <= bar * weight) return;  // |along| <= weight
-    if (dot(along, along) < weight * weight / 64) {
-      // The rim of a plate: the two normals cancel and the arc is too long to interpolate. The cross product errs by
-      // rounding / sine, but only about A's edge: off the crossing by that much, B's edge leaves the plane by rounding.
-      const Vec3d m = perpendicular(cross(ea.direction, eb.direction), ea.direction);
-      along = dot(m, along) < 0 ? -m : m;
-    }
-    const double length = norm(along);
-    if (!(length > 0)) return;
-    const Vec3d n = along * (1 / length);
+    if (!arc_axis(ea, eb, along, weight, n)) return;
     const double value = dot(n, eb.point - ea.point);
     if (!(value > bar)) return;
     const double proven = std::min(value, pair.separation(n).value);
     if (proven > bar) {
       bar = proven;
-      best = {n, proven, ea.edge, eb.edge};
+      best = {DifferenceFacet::edges, ea.edge, eb.edge};
       found = true;
     }
   };
 
-  const PolyhedronPair& from_b = b.pair();
-  const auto arc_of_b = [&](std::uint32_t i) {
-    Arc arc = arc_of(from_b, i);
-    arc.point = pair.other_to_self * arc.point + pair.offset;
-    arc.direction = pair.other_to_self * arc.direction;
-    arc.n0 = pair.other_to_self * arc.n0;
-    arc.n1 = pair.other_to_self * arc.n1;
-    return arc;
-  };
   constexpr auto block = static_cast<std::uint32_t>(FaceSearch::edge_block);
   for (std::uint32_t i = 0; i < count_a; i += block) {
     const std::size_t held_a = a.edges_above(bar, i, std::min(block, count_a - i), edges_a);
     for (std::uint32_t j = 0; j < count_b && held_a > 0; j += block) {
       const std::size_t held_b = b.edges_above(bar, j, std::min(block, count_b - j), edges_b);
-      for (std::size_t l = 0; l < held_b; ++l) arcs_b[l] = arc_of_b(edges_b[l]);
+      for (std::size_t l = 0; l < held_b; ++l) arcs_b[l] = arc_of_other(pair, edges_b[l]);
       for (std::size_t k = 0; k < held_a; ++k) {
-        const Arc arc_a = arc_of(pair, edges_a[k]);
+        const Arc arc_a = arc_of_self(pair, edges_a[k]);
         for (std::size_t l = 0; l < held_b; ++l) {
           try_pair(arc_a, arcs_b[l]);
           if (bar > enough) return found;
@@ -217,6 +182,29 @@ bool search_edges(FaceSearch& a, FaceSearch& b, double bar, double enough, EdgeA
     }
   }
   return found;
+}
+
+}  // namespace
+
+DifferenceFacet search_all(const DifferencePair& pair, double enough) {
+  const PolyhedronPair swapped = pair.swapped();
+  FaceSearch faces_a(pair), faces_b(swapped);
+  DifferenceFacet best;
+  double bar = -infinity;
+  FaceSearch::Face found{};
+  std::uint32_t face = 0;
+  if (faces_a.search(bar, enough, face, found)) best = {DifferenceFacet::face_of_a, face, found.on_other};
+  if (bar > enough) return best;
+  double better = bar + face_preference * pair.size;
+  if (faces_b.search(better, enough, face, found)) {
+    best = {DifferenceFacet::face_of_b, found.on_other, face};
+    bar = better;
+  }
+  if (!(bar > 0)) {
+    better = bar + face_preference * pair.size;
+    search_edges(faces_a, faces_b, better, enough, best);
+  }
+  return best;
 }
 
 }  // namespace contact

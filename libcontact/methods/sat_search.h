@@ -1,7 +1,7 @@
 // The two halves of the separating-axis search: face axes with their pruning data, and edge–edge axes.
 #pragma once
 
-#include "libcontact/methods/polyhedron_pair.h"
+#include "libcontact/methods/difference_facet.h"
 
 namespace contact {
 
@@ -21,7 +21,7 @@ class FaceSearch {
 
   // The best face whose separation exceeds `bar`; raises `bar` to it. Stops at the first one above `enough`.
   // Returns false when there is none.
-  bool search(double& bar, double enough, std::uint32_t& best);
+  bool search(double& bar, double enough, std::uint32_t& best, Face& held);
 
   // Indices of edges first, first + 1, … that pass the bounds along their whole arc: whether the separation along some
   // direction between the two face normals can exceed `bar`. Dropping an edge is a proof. Looks at `count` edges at
@@ -49,15 +49,8 @@ class FaceSearch {
   std::uint32_t vertex_[cap];  // unset: not evaluated yet
 };
 
-// An edge–edge axis of A and B.
-struct EdgeAxis {
-  Vec3d normal;  // in A's frame, from A to B
-  double value;  // separation along it
-  std::uint32_t edge_a, edge_b;
-};
-
-// The best edge–edge axis whose separation exceeds `bar`. `a` holds A's faces against B, `b` B's against A. Stops at
-// the first one above `enough`. Returns false when there is none.
-bool search_edges(FaceSearch& a, FaceSearch& b, double bar, double enough, EdgeAxis& best);
+// The best axis of all; `none` when nothing compares. Of axes that are equal to rounding a face wins over an edge pair
+// and the lower index over the higher. Stops at the first one above `enough`.
+DifferenceFacet search_all(const DifferencePair& pair, double enough);
 
 }  // namespace contact

@@ -62,20 +62,29 @@ inline Extreme highest_vertex(const shapes::Polyhedron& p, const shapes::Vec3d& 
   return {-e.value, e.index};
 }
 
+// The same by a walk over neighbouring vertices from `start`: for the many vertices of a large body, or from one that
+// is nearly the highest. Where edges are level to rounding the walk may end early, lower than the highest by rounding
+// times the length of the way left over the width of the faces there.
+inline Extreme climb(const shapes::Polyhedron& p, const shapes::Vec3d& direction, std::uint32_t start) {
+  Extreme best{dot(direction, p.vertices[start]), start};
+  for (std::uint32_t from = start;;) {
+    const std::uint32_t end = p.first_spoke[from + 1];
+    for (std::uint32_t k = p.first_spoke[from]; k < end; ++k) {
+      const std::uint32_t u = p.spokes[k].vertex;
+      if (const double value = dot(direction, p.vertices[u]); value > best.value) best = {value, u};
+    }
+    if (best.index == from) return best;
+    from = best.index;
+  }
+}
+// Up to this many (padded) vertices looking at all of them is faster than a walk.
+inline constexpr std::size_t scan_limit = 32;
+
 // A ball inside the polyhedron: centre and radius in the units of the geometry.
 struct CoreBall {
   shapes::Vec3d centre;
   double radius;
 };
-inline CoreBall core_ball(const shapes::Polyhedron& p) {
-  const shapes::Vec3d c = p.mass.centre;
-  if (c == shapes::Vec3d{}) return {c, p.inscribed_radius};
-  double radius = p.faces[0].offset - dot(p.faces[0].normal, c);
-  for (const auto& f : p.faces) {
-    const double r = f.offset - dot(f.normal, c);
-    radius = r < radius ? r : radius;
-  }
-  return {c, radius};
-}
+inline CoreBall core_ball(const shapes::Polyhedron& p) { return {p.mass.centre, p.core_radius}; }
 
 }  // namespace contact

@@ -84,6 +84,39 @@ inline void expect_canonical(const Polyhedron& p) {
   }
   for (const int n : faces_at_vertex) EXPECT_GE(n, 3);
   for (const int n : uses) EXPECT_EQ(n, 2);
+  // Around every vertex its edges, in turn with the faces between them; below every face its next vertex.
+  ASSERT_EQ(p.first_spoke.size(), p.vertices.size() + 1);
+  ASSERT_EQ(p.spokes.size(), 2 * p.edges.size());
+  for (std::uint32_t v = 0; v < p.vertices.size(); ++v) {
+    const std::uint32_t first = p.first_spoke[v], end = p.first_spoke[v + 1];
+    ASSERT_EQ(static_cast<int>(end - first), faces_at_vertex[v]);
+    for (std::uint32_t k = first; k < end; ++k) {
+      const auto& spoke = p.spokes[k];
+      const auto& next = p.spokes[k + 1 == end ? first : k + 1];
+      const auto& edge = p.edges[spoke.edge];
+      const int side = edge.vertex[0] == v ? 0 : 1;
+      EXPECT_EQ(edge.vertex[side], v);
+      EXPECT_EQ(edge.vertex[1 - side], spoke.vertex);
+      EXPECT_EQ(edge.face[side], spoke.face);
+      EXPECT_TRUE(p.edges[next.edge].face[0] == spoke.face || p.edges[next.edge].face[1] == spoke.face);
+    }
+  }
+  ASSERT_EQ(p.face_rise.size(), p.faces.size());
+  for (std::uint32_t f = 0; f < p.faces.size(); ++f) {
+    const auto& face = p.faces[f];
+    double rise = 4 * size;
+    for (std::uint32_t v = 0; v < p.vertices.size(); ++v) {
+      bool on_face = false;
+      for (std::uint32_t i = 0; i < face.count; ++i) on_face |= p.face_vertices[face.first + i] == v;
+      if (!on_face) rise = std::fmin(rise, face.offset - dot(face.normal, p.vertices[v]));
+    }
+    EXPECT_NEAR(p.face_rise[f], rise, 64 * eps * size);
+  }
+  ASSERT_EQ(p.lookup.size(), 6 * p.lookup_cells * p.lookup_cells);
+  for (const std::uint32_t v : p.lookup) EXPECT_LT(v, p.vertices.size());
+  double core = 4 * size;
+  for (const auto& f : p.faces) core = std::fmin(core, f.offset - dot(f.normal, p.mass.centre));
+  EXPECT_EQ(p.core_radius, core);
   EXPECT_EQ(p.vx.size() % shapes::polyhedron_padding, 0u);
   EXPECT_EQ(p.nx.size() % shapes::polyhedron_padding, 0u);
   EXPECT_GE(p.vx.size(), p.vertices.size());

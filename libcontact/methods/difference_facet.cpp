@@ -1,0 +1,156 @@
+#include "libcontact/methods/difference_facet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "libcontact/methods/edge_arcs.h"
+
+namespace contact {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// The vertices of p next to v along m: the lowest of them, other than `except`.
+struct Next {
+  double value = infinity;
+  std::uint32_t vertex = 0;
+};
+Next lowest_neighbour(const shapes::Polyhedron& p, const Vec3d& m, std::uint32_t v, std::uint32_t except) {
+  Next next;
+  for (std::uint32_t k = p.first_spoke[v]; k < p.first_spoke[v + 1]; ++k) {
+    const std::uint32_t u = p.spokes[k].vertex;
+    if (const double value = dot(m, p.vertices[u]); u != except && value < next.value) next = {value, u};
+  }
+  return next;
+}
+
+// (1) and (2) for a facet at depth d along n with its foot `reach` within its border, `rise` below it the next vertices
+// of either body.
+bool alone(double d, double reach, double rise, const Vec3d& n, const Vec3d& core, double core_radius, double size,
+           bool enclosed) {
+  const double margin = proof_clearance * size;
+  if (!(d > margin && reach > 0x1p-20 * size)) return false;
+  // Up to an angle of 2 margin / reach a facet could be as near as F; one with a vertex that F has not is not there.
+  if (!(rise > 4 * margin * size / reach + 16 * epsilon * size)) return false;
+  const double t = std::min(0.875 * reach / d, 8.0);  // tan(θ/2) where (2) takes over from (1)
+  // What is as near as F passes over F, at an angle of at most √(2 margin / d), where (1) holds.
+  if (enclosed) return t * t * d > 2 * margin;
+  const double w = 1 / (1 + t * t), sine = 2 * t * w, cosine = (1 - t * t) * w;
+  if (!(sine * (reach - d * t) > margin)) return false;
+  const double along = dot(core, n);
+  const double across = norm(core - along * n);
+  return along * cosine - across * sine + core_radius > d + margin &&  // and it grows from there to θ = π:
+         along * sine + across * cosine <= 0;
+}
+
+double face_value(const PolyhedronPair& pair, std::uint32_t face, std::uint32_t vertex) {
+  const auto& f = pair.self->faces[face];
+  const double low = dot(transposed_times(pair.other_to_self, f.normal), pair.other->vertices[vertex]);
+  return (pair.other_scale * low + dot(f.normal, pair.offset)) - pair.self_scale * f.offset;
+}
+
+// A face of pair.self over a vertex of pair.other.
+Nearest prove_face(const PolyhedronPair& pair, const Vec3d& core, double core_radius, double size, std::uint32_t face,
+                   std::uint32_t& vertex, double& value, bool enclosed) {
+  const shapes::Polyhedron &self = *pair.self, &other = *pair.other;
+  const auto& f = self.faces[face];
+  const Vec3d m = transposed_times(pair.other_to_self, f.normal);
+  double low = dot(m, other.vertices[vertex]);
+  Next next = lowest_neighbour(other, m, vertex, vertex);
+  while (next.value < low) {
+    low = next.value;
+    vertex = next.vertex;
+    next = lowest_neighbour(other, m, vertex, vertex);
+  }
+  value = (pair.other_scale * low + dot(f.normal, pair.offset)) - pair.self_scale * f.offset;
+  const Vec3d tip = pair.other_vertex(vertex);
+  double square = infinity;
+  const std::uint32_t* loop = self.face_vertices.data() + f.first;
+  Vec3d p = pair.self_vertex(loop[f.count - 1]);
+  for (std::uint32_t k = 0; k < f.count; ++k) {
+    const Vec3d q = pair.self_vertex(loop[k]), e = q - p;
+    const double within = dot(cross(f.normal, e), tip - p);
+    if (!(within > 0)) return Nearest::elsewhere;
+    square = std::min(square, within * within / dot(e, e));
+    p = q;
+  }
+  const double rise = std::min(pair.other_scale * (next.value - low), pair.self_scale * self.face_rise[face]);
+  return alone(-value, std::sqrt(square), rise, f.normal, core, core_radius, size, enclosed) ? Nearest::proven
+                                                                                             : Nearest::open;
+}
+
+Nearest prove_edges(const DifferencePair& pair, std::uint32_t edge_a, std::uint32_t edge_b, FacetAxis& axis,
+                    bool enclosed) {
+  const shapes::Polyhedron &self = *pair.self, &other = *pair.other;
+  const Arc a = arc_of_self(pair, edge_a), b = arc_of_other(pair, edge_b);
+  Vec3d along, n;
+  double weight = 0;
+  if (!arcs_cross(a, b, along, weight) || !arc_axis(a, b, along, weight, n)) return Nearest::open;
+  const Vec3d m = transposed_times(pair.other_to_self, n);
+  const auto& va = self.edges[edge_a].vertex;
+  const auto& vb = other.edges[edge_b].vertex;
+  const double high = std::max(dot(n, self.vertices[va[0]]), dot(n, self.vertices[va[1]]));
+  const double low = std::min(dot(m, other.vertices[vb[0]]), dot(m, other.vertices[vb[1]]));
+  axis = {n, (pair.other_scale * low + dot(n, pair.offset)) - pair.self_scale * high};
+  // The foot of the origin on p + s e − (q + t f), and the widths of that parallelogram.
+  const Vec3d w = b.point - a.point, c = cross(a.direction, b.direction);
+  const double square = dot(c, c);
+  const double s = dot(cross(w, b.direction), c), t = dot(cross(w, a.direction), c);
+  if (!(square > 0)) return Nearest::open;
+  if (!(s > 0 && s < square && t > 0 && t < square)) return Nearest::elsewhere;
+  const double s_least = std::min(s, square - s), t_least = std::min(t, square - t);
+  const double reach = std::sqrt(
+      std::min(s_least * s_least / dot(b.direction, b.direction), t_least * t_least / dot(a.direction, a.direction)) /
+      square);
+  const double below_a =
+      std::min(lowest_neighbour(self, -n, va[0], va[1]).value, lowest_neighbour(self, -n, va[1], va[0]).value) + high;
+  const double above_b =
+      std::min(lowest_neighbour(other, m, vb[0], vb[1]).value, lowest_neighbour(other, m, vb[1], vb[0]).value) - low;
+  const double rise = std::min(pair.self_scale * below_a, pair.other_scale * above_b);
+  return alone(-axis.value, reach, rise, n, pair.core, pair.core_radius, pair.size, enclosed) ? Nearest::proven
+                                                                                              : Nearest::open;
+}
+
+}  // namespace
+
+DifferencePair::DifferencePair(const PolyhedronPair& pair, double extent) : PolyhedronPair(pair), size(extent) {
+  const CoreBall a = core_ball(*self), b = core_ball(*other);
+  core = self_scale * a.centre - (other_to_self * (other_scale * b.centre) + offset);
+  core_radius = self_scale * a.radius + other_scale * b.radius;
+}
+
+FacetAxis axis_of(const DifferencePair& pair, const DifferenceFacet& facet) {
+  if (facet.kind == DifferenceFacet::face_of_a)
+    return {pair.self->faces[facet.a].normal, face_value(pair, facet.a, facet.b)};
+  if (facet.kind == DifferenceFacet::face_of_b)
+    return {-(pair.other_to_self * pair.other->faces[facet.b].normal), face_value(pair.swapped(), facet.b, facet.a)};
+  const Arc a = arc_of_self(pair, facet.a), b = arc_of_other(pair, facet.b);
+  Vec3d along, n{};
+  double weight = 0;
+  arcs_cross(a, b, along, weight);
+  arc_axis(a, b, along, weight, n);
+  return {n, pair.separation(n).value};
+}
+
+Nearest prove_nearest(const DifferencePair& pair, DifferenceFacet& facet, FacetAxis& axis, bool enclosed) {
+  switch (facet.kind) {
+    case DifferenceFacet::face_of_a:
+      if (!(facet.a < pair.self->faces.size() && facet.b < pair.other->vertices.size())) break;
+      axis.normal = pair.self->faces[facet.a].normal;
+      return prove_face(pair, pair.core, pair.core_radius, pair.size, facet.a, facet.b, axis.value, enclosed);
+    case DifferenceFacet::face_of_b:
+      if (!(facet.b < pair.other->faces.size() && facet.a < pair.self->vertices.size())) break;
+      axis.normal = -(pair.other_to_self * pair.other->faces[facet.b].normal);
+      return prove_face(pair.swapped(), -transposed_times(pair.other_to_self, pair.core), pair.core_radius, pair.size,
+                        facet.b, facet.a, axis.value, enclosed);
+    case DifferenceFacet::edges:
+      if (!(facet.a < pair.self->edges.size() && facet.b < pair.other->edges.size())) break;
+      return prove_edges(pair, facet.a, facet.b, axis, enclosed);
+    default:
+      break;
+  }
+  return Nearest::open;
+}
+
+}  // namespace contact
