@@ -67,7 +67,8 @@ Contact Features::query(const Placed<shapes::Ellipsoid>& a, const Placed<shapes:
   // Deeper than ρ a body can lie beside the facet with its deepest point under it.
   if (face_gap <= -body.least_curvature_radius() && !meets(view, body)) return not_met(view, 0, b.rotation, unit.up);
   const auto answer = [&](double gap, const Vec3d& outward, double allowance) {
-    const Vec3d n = -(b.rotation * outward), touch = -(b.rotation * body.support(outward).arm);
+    const Vec3d n = normalized(-(b.rotation * outward));  // of the rounding of both factors
+    const Vec3d touch = -(b.rotation * body.support(outward).arm);
     return smooth_contact(gap, gap - allowance, gap + allowance, n, touch, touch + gap * n, unit.up);
   };
   if (view.over_region(view.facet, body.centre - down.arm)) return answer(face_gap, view.m, rounding(size));
@@ -87,9 +88,13 @@ Contact Features::query(const Placed<shapes::Ellipsoid>& a, const Placed<shapes:
     const EdgeCone cone = edge_cone(view, e);
     Vec3d arc[2];
     const int maxima = maxima_of_edge(body, cone.point, cone.direction, arc);
+    const auto gap_along = [&](const Vec3d& m) { return dot(m, body.centre - cone.point) - body.support(m).height; };
+    // A line that one direction proves to be apart has no depth along the other.
+    const bool apart = maxima == 2 && (gap_along(arc[0]) > 0 || gap_along(arc[1]) > 0);
     for (int i = 0; i < maxima; ++i) {
       const EllipsoidAt::Support support = body.support(arc[i]);
       const double gap = dot(arc[i], body.centre - cone.point) - support.height;
+      if (apart && gap < 0) continue;
       const double along = dot(body.centre - support.arm - cone.point, cone.direction);
       const bool beside = along >= 0 && along <= dot(cone.direction, cone.direction);
       if (gap < best && beside && cone.holds(arc[i]) && cone.faces(arc[i], body.centre))

@@ -79,7 +79,7 @@ Contact Features::query(const Placed<shapes::Ellipsoid>& a, const Placed<shapes:
   if (search.proves_separation()) return proof(search.value, search.m);
   const double allowance = polyhedron_rounding * size;
   const double gap = search.value;
-  const Vec3d n = -(b.rotation * search.m);
+  const Vec3d n = normalized(-(b.rotation * search.m));               // of the rounding of both factors
   const Vec3d touch = b.rotation * -ellipsoid.support(search.m).arm;  // relative to the ellipsoid's centre
   const Contact c = smooth_contact(gap, gap - allowance, std::max(search.upper, gap) + allowance, n, touch,
                                    touch + gap * n, unit.up, search.iterations);

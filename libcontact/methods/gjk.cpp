@@ -1,6 +1,7 @@
 #include "libcontact/methods/gjk.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "libcontact/methods/segments.h"
@@ -154,7 +155,8 @@ void run_gjk(Best& best, double size) {
 }
 
 // Vertex of `pair.other` over a face of `pair.self`, for the vertices and faces within `depth` of the supporting
-// planes. `flip` when the pair is the swapped one of best.pair.
+// planes. Where bodies touch, rounding may put the vertex behind the face: its foot is a point of the face all the
+// same.
 template <class Report>
 void vertices_over_faces(const PolyhedronPair& pair, const Vec3d& n, double depth, Report&& report) {
   const double highest = pair.highest_of_self(n).value, lowest = pair.lowest_of_other(n).value;
@@ -167,7 +169,7 @@ void vertices_over_faces(const PolyhedronPair& pair, const Vec3d& n, double dept
       const Vec3d v = pair.other_vertex(j);
       if (dot(n, v) > lowest + depth) continue;
       const double level = dot(face.normal, v) - pair.self_scale * face.offset;
-      bool over = level > 0;
+      bool over = true;
       for (std::uint32_t k = 0; k < face.count && over; ++k) {
         const Vec3d p = pair.self_vertex(loop[k]), q = pair.self_vertex(loop[k + 1 == face.count ? 0 : k + 1]);
         over = dot(cross(face.normal, q - p), v - p) >= 0;
@@ -184,14 +186,14 @@ void compare_features(Best& best, double size) {
   const double close = best.found.upper + 4 * epsilon * size;
   const Vec3d away{};
   vertices_over_faces(pair, n, depth, [&](const Vec3d& a, const Vec3d& b, const Vec3d& normal, double level) {
-    if (level > close) return;
+    if (std::abs(level) > close) return;
     best.points(a, b);
     best.direction(normal);
   });
   const PolyhedronPair swapped = pair.swapped();
   const Vec3d m = -transposed_times(pair.other_to_self, n);
   vertices_over_faces(swapped, m, depth, [&](const Vec3d& b, const Vec3d& a, const Vec3d& normal, double level) {
-    if (level > close) return;
+    if (std::abs(level) > close) return;
     best.points(pair.other_to_self * a + pair.offset, pair.other_to_self * b + pair.offset);
     best.direction(away - pair.other_to_self * normal);
   });

@@ -249,8 +249,7 @@ Contact Features::query(const Placed<shapes::Polyhedron>& a, const Placed<shapes
   };
   const Vec3d tip = solid.vertex(low.index);
   const bool over = view.over_region(view.facet, tip);
-  if (face_gap > 0)
-    return over && !options.overlap_only ? answer(face_gap, view.m, tip - face_gap * view.m, rounding(size)) : apart();
+  if (face_gap > 0) return over ? answer(face_gap, view.m, tip - face_gap * view.m, rounding(size)) : apart();
 
   PlaneFrame plane;
   plane.normal = view.m;

@@ -20,8 +20,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::vector<std::string> bodies_3d{"sphere", "ellipsoid", "box", "polyhedron", "prism"};
-const std::vector<std::string> bodies_2d{"disc", "ellipse", "polygon", "simple_polygon", "regular_polygon"};
+const std::vector<std::string> bodies_3d{"sphere", "ellipsoid", "box", "polyhedron", "prism", "rounded_polyhedron",
+                                         "plane"};
+const std::vector<std::string> bodies_2d{"disc", "ellipse", "polygon", "simple_polygon", "regular_polygon", "line"};
 
 // A JSON object with the words that lead to it, for messages.
 struct Place {
@@ -121,6 +122,8 @@ Body make_plane_body(const Place& shape, const Place& pose) {
     out.body.size = shape.inner("semi_axes").plane_vector();
     if (!(out.body.size.x > 0 && out.body.size.y > 0)) shape.refuse("semi_axes", "allowed > 0");
     out.circumradius = shapes::max_abs(out.body.size);
+  } else if (type == "line") {  // solid below its y axis
+    out.body.kind = shapes::Kind::line;
   } else {
     try {
       auto polygon = std::make_shared<const shapes::Polygon>(make_polygon(shape, type));
@@ -157,18 +160,21 @@ Body make_body(const Place& shape, const Place& pose) {
     out.body.kind = shapes::Kind::ellipsoid;
     out.body.size = shape.positive_vector("semi_axes");
     out.circumradius = shapes::max_abs(out.body.size);
+  } else if (type == "plane") {  // solid below its z axis
+    out.body.kind = shapes::Kind::plane;
   } else {
+    const double rounding = type == "rounded_polyhedron" ? shape.positive("rounding") : 0;
     std::shared_ptr<const shapes::Polyhedron> solid;
     try {
       solid = std::make_shared<const shapes::Polyhedron>(make_polyhedron(shape, type));
     } catch (const shapes::Error& error) {
       shape.refuse("", error.what());
     }
-    out.body.kind = shapes::Kind::polyhedron;
+    out.body.kind = rounding > 0 ? shapes::Kind::rounded_polyhedron : shapes::Kind::polyhedron;
     out.body.geometry = solid.get();
     out.geometry = solid;
-    out.body.size = {1, 1, 1};
-    out.circumradius = solid->circumradius;
+    out.body.size = {1, rounding > 0 ? rounding : 1, 1};
+    out.circumradius = solid->circumradius + rounding;
     // A builder may turn and shift a body into its principal frame: the pose follows.
     out.position += shapes::rotate(orientation, solid->frame.position);
     orientation = orientation * solid->frame.orientation;
