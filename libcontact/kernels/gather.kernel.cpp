@@ -10,7 +10,6 @@ inline namespace KERNEL_SET {
 namespace {
 
 using Row = double __attribute__((vector_size(32), may_alias));
-using Order = std::int64_t __attribute__((vector_size(32)));
 
 // Row `row` of record `index`; records are aligned to rows.
 [[gnu::always_inline]] inline const Row& row_of(const void* base, std::size_t size, Index index, std::size_t row) {
@@ -32,10 +31,10 @@ struct Rows {  // four rows, one per record; after `turn` four lanes
             row_of(base, size, index[3], row)};
   }
   [[gnu::always_inline]] Rows turned() const {
-    const Row p = __builtin_shuffle(a, b, Order{0, 4, 2, 6}), q = __builtin_shuffle(a, b, Order{1, 5, 3, 7});
-    const Row r = __builtin_shuffle(c, d, Order{0, 4, 2, 6}), s = __builtin_shuffle(c, d, Order{1, 5, 3, 7});
-    return {__builtin_shuffle(p, r, Order{0, 1, 4, 5}), __builtin_shuffle(q, s, Order{0, 1, 4, 5}),
-            __builtin_shuffle(p, r, Order{2, 3, 6, 7}), __builtin_shuffle(q, s, Order{2, 3, 6, 7})};
+    const Row p = __builtin_shufflevector(a, b, 0, 4, 2, 6), q = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const Row r = __builtin_shufflevector(c, d, 0, 4, 2, 6), s = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    return {__builtin_shufflevector(p, r, 0, 1, 4, 5), __builtin_shufflevector(q, s, 0, 1, 4, 5),
+            __builtin_shufflevector(p, r, 2, 3, 6, 7), __builtin_shufflevector(q, s, 2, 3, 6, 7)};
   }
   [[gnu::always_inline]] void store(void* base, std::size_t size, const Index* index, std::size_t row,
                                     std::size_t count) const {

@@ -1,5 +1,5 @@
 // pair_fuzz FOLDER SEED CASES [PAIRS]: random and adversarial pairs through every method and pair of kinds in the
-// catalogue, CASES each (of potential particles, which cost ten times as much, a tenth), checked by
+// catalogue, CASES each (of potential particles, which cost up to 3 ms, a hundredth), checked by
 // tests/fuzz/pair_checks.h. PAIRS: a text that "METHOD KIND KIND" holds, or K/N for every N-th entry from the K-th on.
 // Prints a row for each, and the first case that breaks each rule: it stands in FOLDER, for `dem contact`. Exit status
 // 1 when a rule was broken or a good pair refused. The same seed gives the same cases, whatever PAIRS is. 10^7 of each:
@@ -81,7 +81,7 @@ int main(int argc, char** argv) {
     const std::string name = fmt::format("{} {} {}", m->name, shapes::name_of(m->a), shapes::name_of(m->b));
     if (by_number ? (m - contact::methods_begin()) % shards != shard : name.find(only) == std::string::npos) continue;
     const bool dear = m->a == Kind::potential_particle || m->b == Kind::potential_particle;
-    const Row r = run(*m, seed, dear ? count / 10 : count, folder);
+    const Row r = run(*m, seed, dear ? count / 100 : count, folder);
     fmt::print("{:<17}{:<19}{:<19}{:>9}{:>12}{:>14}{:>7}{:>10.3g}{:>7}{:>10.3g}{:>8}{:>7}\n", m->name,
                shapes::name_of(m->a), shapes::name_of(m->b), r.cases, r.uncertified, r.not_converged, r.wider, r.widest,
                r.off, r.farthest, r.refused, r.broken);
