@@ -34,8 +34,8 @@ inline Scale scale_of(double extent) {
   return {std::bit_cast<double>((std::uint64_t{2046} - exponent) << 52), std::bit_cast<double>(exponent << 52)};
 }
 
-// |v| and the unit vector along v, without under- or overflow of the squares and with the same bits at every scale. A v
-// that is out of range gives the z axis, and 0 when it is too small.
+// |v| and the unit vector along v, without under- or overflow of the squares and with the same bits at every scale.
+// Zero gives the z axis; so does what is too large, NaN and infinity, which are passed on.
 inline double length_and_direction(const Vec3d& v, Vec3d& direction) {
   const double square = dot(v, v);
   if (square > 0x1p-900 && square < 0x1p900) [[likely]] {
@@ -44,9 +44,10 @@ inline double length_and_direction(const Vec3d& v, Vec3d& direction) {
     return length;
   }
   const double size = std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+  if (size > 0 && size < smallest_extent) return length_and_direction(v * 0x1p600, direction) * 0x1p-600;
   if (!extent_in_range(size)) {
     direction = {0, 0, 1};
-    return size < smallest_extent ? 0 : size;  // NaN and infinity are passed on
+    return size;
   }
   const Scale scale = scale_of(size);
   const Vec3d near_one = v * scale.down;

@@ -244,4 +244,20 @@ TEST(SmoothTies, coincident_spheres_answer_with_a_unit_normal) {
   EXPECT_EQ(c.status, Status::overlapping);
 }
 
+// Centres so near that their distance lies below every extent that is accepted: the same bits in other units.
+TEST(SmoothTies, all_but_coincident_spheres_scale_every_bit) {
+  const Vec3d offset{2e-300, -3e-300, 6e-300};
+  const double scale = 0x1p300;
+  const SmoothBody a{Kind::sphere, {2, 0, 0}, upright}, b{Kind::sphere, {3, 0, 0}, upright};
+  SmoothBody large_a = a, large_b = b;
+  large_a.size *= scale;
+  large_b.size *= scale;
+  const Contact c = contact::query(a.body(), b.body(), offset),
+                d = contact::query(large_a.body(), large_b.body(), offset * scale);
+  EXPECT_NEAR(c.normal.z, 6.0 / 7, 4 * epsilon);
+  EXPECT_TRUE(c.normal == d.normal);
+  EXPECT_TRUE(c.point_a * scale == d.point_a);
+  EXPECT_EQ(c.gap * scale, d.gap);
+}
+
 }  // namespace
