@@ -20,8 +20,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::vector<std::string> bodies_3d{"sphere", "ellipsoid", "box", "polyhedron", "prism", "rounded_polyhedron",
-                                         "plane"};
+const std::vector<std::string> bodies_3d{"sphere", "ellipsoid",          "box",  "polyhedron",
+                                         "prism",  "rounded_polyhedron", "plane"};
 const std::vector<std::string> bodies_2d{"disc", "ellipse", "polygon", "simple_polygon", "regular_polygon", "line"};
 
 // A JSON object with the words that lead to it, for messages.
