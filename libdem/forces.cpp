@@ -73,9 +73,10 @@ class PairPass : public ForcePass {
     else
       set_.gather_spheres(p_.motion.data(), s.index_a, s.index_b, n, s.spheres, l);
     load_histories(n, s);
-    set_.spheres(s.spheres, l, n);
-    for (std::size_t i = 0; i < n; ++i)
-      if (dot(get(l.history_normal, i), get(l.normal, i)) < 0) s.through.push_back(s.record[i]);
+    if (set_.spheres(s.spheres, l, n)) {
+      for (std::size_t i = 0; i < n; ++i)
+        if (dot(get(l.history_normal, i), get(l.normal, i)) < 0) s.through.push_back(s.record[i]);
+    }
     run_law(l, n, false);
     set_.sphere_torques(s.spheres, l, n);
     store(n, s);
@@ -218,25 +219,42 @@ void check_passages(const World& world, const std::vector<std::uint32_t>& throug
       world.step, parties(world, k), c.history[k].overlap));
 }
 
+// The contact, of those judged, whose stability limit by itself lies farthest below the step.
+class TightestContact {
+ public:
+  explicit TightestContact(const World& world) : world_(world), limit_(world.time_step.dt) {}
+
+  void judge(std::uint32_t k, double overlap) {
+    const std::vector<Key>& key = world_.contacts.key;
+    const double limit = contact_limit(world_, k, overlap);
+    if (!(limit < limit_ || (found_ && limit == limit_ && key[k] < key[record_]))) return;
+    limit_ = limit;
+    record_ = k;
+    found_ = true;
+  }
+  // Throws when there is one.
+  void stop() const {
+    if (found_)
+      throw RunError(
+          fmt::format("step {}: run.dt = {:.4g} s has passed the stability limit of the contact of {}, {:.4g} s",
+                      world_.step, world_.time_step.dt, parties(world_, record_), limit_));
+  }
+
+ private:
+  const World& world_;
+  double limit_;
+  std::uint32_t record_ = 0;
+  bool found_ = false;
+};
+
 // An impact may be over before the monitor of the time step looks: each contact is judged as it comes, and by the
 // overlap that it had in its last step as it goes.
 void check_impacts(const World& world, const std::vector<Change>& changed) {
   const Contacts& c = world.contacts;
-  const double dt = world.time_step.dt;
-  const Change* worst = nullptr;
-  double least = dt;
-  for (const Change& change : changed) {
-    const std::uint32_t k = change.record;
-    const double limit = contact_limit(world, k, c.touching[k] != 0 ? c.history[k].overlap : change.overlap);
-    if (limit < least || (worst != nullptr && limit == least && c.key[k] < c.key[worst->record])) {
-      least = limit;
-      worst = &change;
-    }
-  }
-  if (worst != nullptr)
-    throw RunError(
-        fmt::format("step {}: run.dt = {:.4g} s has passed the stability limit of the contact of {}, {:.4g} s",
-                    world.step, dt, parties(world, worst->record), least));
+  TightestContact tightest(world);
+  for (const Change& change : changed)
+    tightest.judge(change.record, c.touching[change.record] != 0 ? c.history[change.record].overlap : change.overlap);
+  tightest.stop();
 }
 
 // Lists the touching records of both bodies of record k anew; the order stays that of the partners.
@@ -256,10 +274,10 @@ void relist(Contacts& c, std::uint32_t k) {
 
 void check_contacts(const World& world) {
   const Contacts& c = world.contacts;
-  std::vector<Change> all;
+  TightestContact tightest(world);
   for (std::uint32_t k = 0; k < c.count(); ++k)
-    if (c.touching[k] != 0) all.push_back({k, 0});
-  check_impacts(world, all);
+    if (c.touching[k] != 0) tightest.judge(k, c.history[k].overlap);
+  tightest.stop();
 }
 
 void compute_forces(World& world, int threads, double dt) {

@@ -100,16 +100,15 @@ double contact_limit(const World& world, std::size_t k, double overlap) {
 double contact_damping(const World& world, std::size_t k) {
   const Particles& p = world.particles;
   const std::uint32_t a = world.contacts.index_a[k], b = world.contacts.index_b[k];
-  const PairParameters& q = world.pairs[p.material[a] * world.materials.size() + p.material[b]];
+  const PairParameters& q = pair_of(world, k);
   const double mass = 1 / (p.motion[a].inverse_mass + p.motion[b].inverse_mass);
   return 2 * law_beta(world, q) * std::sqrt(mass * contact_stiffness(world, k).n);
 }
 
 double contact_resistance(const World& world, std::size_t k) {
   const Contacts& c = world.contacts;
-  const std::uint32_t a = c.index_a[k], material = world.walls[c.index_b[k]].material;
-  const PairParameters& q = world.pairs[world.particles.material[a] * world.materials.size() + material];
-  return (1 + 2 * law_beta(world, q)) * std::sqrt(contact_stiffness(world, k).n * world.particles.mass[a]);
+  const double beta = law_beta(world, pair_of(world, k));
+  return (1 + 2 * beta) * std::sqrt(contact_stiffness(world, k).n * world.particles.mass[c.index_a[k]]);
 }
 
 namespace {

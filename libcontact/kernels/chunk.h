@@ -53,7 +53,8 @@ struct LawChunk {
 };
 
 using LawKernel = void (*)(LawChunk& chunk, std::size_t count, double dt, const LawOptions& options);
-using SphereKernel = void (*)(const SphereChunk& in, LawChunk& chunk, std::size_t count);
+// False: no normal has turned by more than a right angle since that of its history.
+using SphereKernel = bool (*)(const SphereChunk& in, LawChunk& chunk, std::size_t count);
 using SphereTorqueKernel = void (*)(const SphereChunk& in, LawChunk& chunk, std::size_t count);
 
 // Index lists hold a multiple of four entries at least (padded with any valid index); `count` says how many are meant.

@@ -118,8 +118,9 @@ __attribute__((flatten)) void law_kernel(LawChunk& c, std::size_t count, double 
 }
 
 // Overlap, normal and contact-point velocity of sphere pairs; the contact point is midway in the overlap.
-void spheres(const SphereChunk& s, LawChunk& c, std::size_t count) {
+bool spheres(const SphereChunk& s, LawChunk& c, std::size_t count) {
   using std::sqrt;
+  typename Pack::mask_type turned(false);
   for (std::size_t i = 0; i < count; i += Pack::size()) {
     const V d = load(s.offset, i);
     const Pack ra = load(s.radius_a, i), rb = load(s.radius_b, i);
@@ -133,7 +134,9 @@ void spheres(const SphereChunk& s, LawChunk& c, std::size_t count) {
     store(c.velocity, i, load(c.velocity, i) + cross(lever, n));
     store(c.turn, i, Pack(0.5) * dot(wa + wb, n));
     store(c.radius_eff, i, ra * rb / (ra + rb));
+    turned = turned || dot(load(c.history_normal, i), n) < Pack(0);
   }
+  return any_of(turned);
 }
 
 void sphere_torques(const SphereChunk& s, LawChunk& c, std::size_t count) {

@@ -44,10 +44,15 @@ bool alone(double d, double reach, double rise, const Vec3d& n, const Vec3d& cor
          along * sine + across * cosine <= 0;
 }
 
+// The separation along n, with the height of the lowest of other's vertices and of self's highest in their own units.
+double between(const PolyhedronPair& pair, const Vec3d& n, double low, double high) {
+  return (pair.other_scale * low + dot(n, pair.offset)) - pair.self_scale * high;
+}
+
 double face_value(const PolyhedronPair& pair, std::uint32_t face, std::uint32_t vertex) {
   const auto& f = pair.self->faces[face];
   const double low = dot(transposed_times(pair.other_to_self, f.normal), pair.other->vertices[vertex]);
-  return (pair.other_scale * low + dot(f.normal, pair.offset)) - pair.self_scale * f.offset;
+  return between(pair, f.normal, low, f.offset);
 }
 
 // A face of pair.self over a vertex of pair.other.
@@ -63,7 +68,7 @@ Nearest prove_face(const PolyhedronPair& pair, const Vec3d& core, double core_ra
     vertex = next.vertex;
     next = lowest_neighbour(other, m, vertex, vertex);
   }
-  value = (pair.other_scale * low + dot(f.normal, pair.offset)) - pair.self_scale * f.offset;
+  value = between(pair, f.normal, low, f.offset);
   const Vec3d tip = pair.other_vertex(vertex);
   double square = infinity;
   const std::uint32_t* loop = self.face_vertices.data() + f.first;
@@ -92,7 +97,7 @@ Nearest prove_edges(const DifferencePair& pair, std::uint32_t edge_a, std::uint3
   const auto& vb = other.edges[edge_b].vertex;
   const double high = std::max(dot(n, self.vertices[va[0]]), dot(n, self.vertices[va[1]]));
   const double low = std::min(dot(m, other.vertices[vb[0]]), dot(m, other.vertices[vb[1]]));
-  axis = {n, (pair.other_scale * low + dot(n, pair.offset)) - pair.self_scale * high};
+  axis = {n, between(pair, n, low, high)};
   // The foot of the origin on p + s e − (q + t f), and the widths of that parallelogram.
   const Vec3d w = b.point - a.point, c = cross(a.direction, b.direction);
   const double square = dot(c, c);

@@ -88,17 +88,20 @@ Contact Features::query(const Placed<shapes::Ellipsoid>& a, const Placed<shapes:
     const EdgeCone cone = edge_cone(view, e);
     Vec3d arc[2];
     const int maxima = maxima_of_edge(body, cone.point, cone.direction, arc);
-    const auto gap_along = [&](const Vec3d& m) { return dot(m, body.centre - cone.point) - body.support(m).height; };
-    // A line that one direction proves to be apart has no depth along the other.
-    const bool apart = maxima == 2 && (gap_along(arc[0]) > 0 || gap_along(arc[1]) > 0);
+    EllipsoidAt::Support support[2];
+    double gap[2];
+    bool apart = false;
     for (int i = 0; i < maxima; ++i) {
-      const EllipsoidAt::Support support = body.support(arc[i]);
-      const double gap = dot(arc[i], body.centre - cone.point) - support.height;
-      if (apart && gap < 0) continue;
-      const double along = dot(body.centre - support.arm - cone.point, cone.direction);
+      support[i] = body.support(arc[i]);
+      gap[i] = dot(arc[i], body.centre - cone.point) - support[i].height;
+      apart |= gap[i] > 0;
+    }
+    for (int i = 0; i < maxima; ++i) {
+      if (apart && gap[i] < 0) continue;  // a line that one direction proves to be apart has no depth along the other
+      const double along = dot(body.centre - support[i].arm - cone.point, cone.direction);
       const bool beside = along >= 0 && along <= dot(cone.direction, cone.direction);
-      if (gap < best && beside && cone.holds(arc[i]) && cone.faces(arc[i], body.centre))
-        best = gap, outward = arc[i], found = true;
+      if (gap[i] < best && beside && cone.holds(arc[i]) && cone.faces(arc[i], body.centre))
+        best = gap[i], outward = arc[i], found = true;
     }
     for (const std::uint32_t v : view.edge(e).vertex) {
       const Vec3d end = view.vertex(v);

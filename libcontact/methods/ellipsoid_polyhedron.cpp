@@ -25,10 +25,7 @@ class Search : public PolyhedronSearch<EllipsoidAt> {
   // ellipsoid inside the polyhedron, as f <= m·(x − p), at most the larger of the two heights of x.
   void try_everything() {
     ++iterations;
-    for (const auto& face : p_.faces) {
-      const double height = dot(face.normal, body_.centre) - scale_ * face.offset;
-      if (height - body_.least_axis() > value) keep(height - body_.support(face.normal).height, face.normal);
-    }
+    try_faces(body_.least_axis());
     Vec3d candidate[2];
     for (const Vec3d& corner : p_.vertices) {
       const int count = maxima_of_point(body_, scale_ * corner, candidate);

@@ -75,6 +75,13 @@ class PolyhedronSearch {
     return false;
   }
 
+  // Every face's normal; `least` bounds the support height of the body from below.
+  void try_faces(double least) {
+    for (const auto& face : p_.faces)
+      if (const double height = dot(face.normal, body_.centre) - scale_ * face.offset; height - least > value)
+        keep(height - body_.support(face.normal).height, face.normal);
+  }
+
   double separation(const Vec3d& direction) const {
     return dot(direction, body_.centre) - body_.support(direction).height -
            scale_ * highest_vertex(p_, direction).value;

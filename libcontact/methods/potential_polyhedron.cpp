@@ -59,10 +59,7 @@ class Search : public PolyhedronSearch<Particle> {
   // together, so that f <= m·(x − v) <= the highest of the heights of x, which are negative.
   void try_everything() {
     ++iterations;
-    for (const auto& face : p_.faces) {
-      const double height = dot(face.normal, body_.centre) - scale_ * face.offset;
-      keep(height - body_.support(face.normal).height, face.normal);
-    }
+    try_faces(-infinity);
     body_.lowered.body.for_each_normal([&](const Vec3d& n) { keep(separation(-n), -n); });
     ascend(m);
     body_.lowered.body.for_each_normal([&](const Vec3d& n) { ascend(-n); });
