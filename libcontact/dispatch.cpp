@@ -103,6 +103,33 @@ bool geometry_is_there(const Body& b) {
 
 }  // namespace
 
+double circumradius(const Body& b) {
+  switch (b.kind) {
+    case Kind::sphere:
+    case Kind::disc:
+      return b.size.x;
+    case Kind::ellipsoid:
+      return max_abs(b.size);
+    case Kind::ellipse:
+      return std::max(b.size.x, b.size.y);
+    case Kind::polyhedron:
+      return b.size.x * static_cast<const shapes::Polyhedron*>(b.geometry)->circumradius;
+    case Kind::rounded_polyhedron:
+      return b.size.x * static_cast<const shapes::Polyhedron*>(b.geometry)->circumradius + b.size.y;
+    case Kind::potential_particle:
+      return b.size.x * static_cast<const shapes::PotentialParticle*>(b.geometry)->circumradius;
+    case Kind::polygon:
+      return b.size.x * static_cast<const shapes::Polygon*>(b.geometry)->circumradius;
+    case Kind::mesh: {
+      double radius = 0;
+      for (const Vec3d& v : static_cast<const shapes::Mesh*>(b.geometry)->vertices) radius = std::max(radius, norm(v));
+      return b.size.x * radius;
+    }
+    default:
+      return 0;
+  }
+}
+
 const MethodInfo* methods_begin() { return catalogue.data(); }
 const MethodInfo* methods_end() { return catalogue.data() + catalogue.size(); }
 

@@ -21,6 +21,9 @@ struct Body {
   Mat3d rotation = Mat3d::identity();  // body -> world; plane: normal = third column; line: normal = second column
 };
 
+// Radius of a ball about the body's origin that holds it, m; 0 of planes and lines, which none holds.
+double circumradius(const Body& b);
+
 template <class S>
 Placed<S> placed(const Body& b) {
   if constexpr (std::is_same_v<S, shapes::Sphere>) return {b.size.x};

@@ -29,19 +29,14 @@ struct Row {
 
 Entry measure(const contact::MethodInfo& m, const extremes::Dimension& dimension, int count) {
   Entry e;
-  for (std::size_t level = 0; level < dimension.levels.size(); ++level) {
-    reference::Source draw(1000 * level + 16 * static_cast<unsigned>(m.a) + static_cast<unsigned>(m.b));
-    for (int i = 0; i < count; ++i) {
-      extremes::Case c;
-      if (!dimension.make(dimension.levels[level], m.a, m.b, draw, c)) continue;
-      const extremes::Outcome o = judge(c, ask(c, m.name));
-      ++e.asked;
-      e.inside += o.verdict == Verdict::holds;
-      e.uncertified += o.verdict != Verdict::refused && !o.certified;
-      e.widest = std::max(e.widest, o.width);
-      e.worst = std::max(e.worst, o.verdict);
-    }
-  }
+  each_case(dimension, m.a, m.b, count, [&](const extremes::Case& c, double) {
+    const extremes::Outcome o = judge(c, ask(c, m.name));
+    ++e.asked;
+    e.inside += o.verdict == Verdict::holds;
+    e.uncertified += o.verdict != Verdict::refused && !o.certified;
+    e.widest = std::max(e.widest, o.width);
+    e.worst = std::max(e.worst, o.verdict);
+  });
   return e;
 }
 

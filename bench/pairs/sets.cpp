@@ -155,27 +155,7 @@ std::unique_ptr<Set> make_set(const Family& fa, const Family& fb, const char* co
   return set;
 }
 
-template <class Shape>
-double reach_of(const Body& b) {
-  return b.geometry == nullptr ? 0 : static_cast<const Shape*>(b.geometry)->circumradius;
-}
-
 }  // namespace
-
-double circumradius(const Body& b) {
-  switch (b.kind) {
-    case Kind::polyhedron:
-      return b.size.x * reach_of<shapes::Polyhedron>(b);
-    case Kind::rounded_polyhedron:
-      return b.size.x * reach_of<shapes::Polyhedron>(b) + b.size.y;
-    case Kind::potential_particle:
-      return b.size.x * reach_of<shapes::PotentialParticle>(b);
-    case Kind::polygon:
-      return b.size.x * reach_of<shapes::Polygon>(b);
-    default:
-      return max_abs(b.size);
-  }
-}
 
 std::vector<std::unique_ptr<Set>> all_sets(const std::string& filter, std::size_t count) {
   struct Config {

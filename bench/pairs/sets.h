@@ -37,6 +37,4 @@ struct Set {
 // `filter`: a part of the name; empty: all.
 std::vector<std::unique_ptr<Set>> all_sets(const std::string& filter, std::size_t count);
 
-double circumradius(const Body& body);
-
 }  // namespace pairs

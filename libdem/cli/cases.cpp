@@ -79,7 +79,6 @@ struct Body {  // a placed body with what it points to
   contact::Body body;
   std::shared_ptr<const void> geometry;
   Vec3d position{};
-  double circumradius = 0;
 };
 
 shapes::Polyhedron make_polyhedron(const Place& shape, const std::string& type) {
@@ -114,20 +113,17 @@ Body make_plane_body(const Place& shape, const Place& pose) {
   out.body.rotation = {{{t.cosine, -t.sine, 0}, {t.sine, t.cosine, 0}, {0, 0, 1}}};
   const std::string type = shape.text("type");
   if (type == "disc") {
-    out.circumradius = shape.positive("radius");
     out.body.kind = shapes::Kind::disc;
-    out.body.size = {out.circumradius, 0, 0};
+    out.body.size = {shape.positive("radius"), 0, 0};
   } else if (type == "ellipse") {
     out.body.kind = shapes::Kind::ellipse;
     out.body.size = shape.inner("semi_axes").plane_vector();
     if (!(out.body.size.x > 0 && out.body.size.y > 0)) shape.refuse("semi_axes", "allowed > 0");
-    out.circumradius = shapes::max_abs(out.body.size);
   } else if (type == "line") {  // solid below its y axis
     out.body.kind = shapes::Kind::line;
   } else {
     try {
       auto polygon = std::make_shared<const shapes::Polygon>(make_polygon(shape, type));
-      out.circumradius = polygon->circumradius;
       out.body.geometry = polygon.get();
       out.geometry = std::move(polygon);
     } catch (const shapes::Error& error) {
@@ -153,13 +149,11 @@ Body make_body(const Place& shape, const Place& pose) {
 
   const std::string type = shape.text("type");
   if (type == "sphere") {
-    out.circumradius = shape.positive("radius");
     out.body.kind = shapes::Kind::sphere;
-    out.body.size = {out.circumradius, out.circumradius, out.circumradius};
+    out.body.size = {shape.positive("radius"), 0, 0};
   } else if (type == "ellipsoid") {
     out.body.kind = shapes::Kind::ellipsoid;
     out.body.size = shape.positive_vector("semi_axes");
-    out.circumradius = shapes::max_abs(out.body.size);
   } else if (type == "plane") {  // solid below its z axis
     out.body.kind = shapes::Kind::plane;
   } else {
@@ -173,8 +167,7 @@ Body make_body(const Place& shape, const Place& pose) {
     out.body.kind = rounding > 0 ? shapes::Kind::rounded_polyhedron : shapes::Kind::polyhedron;
     out.body.geometry = solid.get();
     out.geometry = solid;
-    out.body.size = {1, rounding > 0 ? rounding : 1, 1};
-    out.circumradius = solid->circumradius + rounding;
+    out.body.size = {1, rounding, 0};
     // A builder may turn and shift a body into its principal frame: the pose follows.
     out.position += shapes::rotate(orientation, solid->frame.position);
     orientation = orientation * solid->frame.orientation;
@@ -219,7 +212,7 @@ Case read_case(const Json& json, const std::string& path, std::size_t index) {
   out.geometry_b = b.geometry;
   out.origin = a.position;
   out.offset = b.position - a.position;
-  out.size = std::hypot(out.offset.x, out.offset.y, out.offset.z) + a.circumradius + b.circumradius;
+  out.size = std::hypot(out.offset.x, out.offset.y, out.offset.z) + circumradius(a.body) + circumradius(b.body);
   if (json.contains("expect")) out.expected = read_expected(place.inner("expect"), out.dim);
   return out;
 }

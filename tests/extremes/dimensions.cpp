@@ -231,6 +231,15 @@ const std::vector<Dimension>& dimensions() {
   return list;
 }
 
+void each_case(const Dimension& dimension, Kind a, Kind b, int count,
+               const std::function<void(const Case& made, double level)>& use) {
+  for (std::size_t k = 0; k < dimension.levels.size(); ++k) {
+    Source draw(1000 * k + 16 * static_cast<unsigned>(a) + static_cast<unsigned>(b));
+    for (int i = 0; i < count; ++i)
+      if (Case made; dimension.make(dimension.levels[k], a, b, draw, made)) use(made, dimension.levels[k]);
+  }
+}
+
 double Case::extent() const { return norm(offset) + a.circumradius() + b.circumradius(); }
 
 }  // namespace extremes

@@ -4,6 +4,7 @@
 // sample. Used by tests/extremes/extremes.cpp.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,10 @@ struct Dimension {
 };
 
 const std::vector<Dimension>& dimensions();
+
+// `count` cases of a pair of kinds at every level, the same for all who ask; fewer where there are none.
+void each_case(const Dimension& dimension, Kind a, Kind b, int count,
+               const std::function<void(const Case& made, double level)>& use);
 
 enum class Verdict {
   holds,  // within 64 eps L, and the interval holds the reference

@@ -86,52 +86,42 @@ Vec3d semi_axes(Source& s) {
   return a;
 }
 
-void shape(Posed& p, Kind kind, double scale, Source& s) {
-  Body& b = p.body;
+void shape(Body& b, Kind kind, double scale, Source& s) {
   b.kind = kind;
   switch (kind) {
     case Kind::sphere:
     case Kind::disc:
-      b.size = {p.circumradius = scale * s.uniform(0.3, 1.5), 0, 0};
+      b.size = {scale * s.uniform(0.3, 1.5), 0, 0};
       return;
     case Kind::ellipsoid:
       b.size = scale * semi_axes(s);
-      p.circumradius = max_abs(b.size);
       return;
     case Kind::ellipse: {
       const Vec3d a = semi_axes(s);
       b.size = {scale * a.x, scale * a.y, 0};
-      p.circumradius = max_abs(b.size);
       return;
     }
     case Kind::polyhedron:
     case Kind::rounded_polyhedron: {
-      const shapes::Polyhedron& solid = solids()[s.pick(solids().size())];
-      b.geometry = &solid;
+      b.geometry = &solids()[s.pick(solids().size())];
       b.size = {scale, kind == Kind::polyhedron ? 0 : scale * s.spread(1e-6, 0.5), 0};
-      p.circumradius = scale * solid.circumradius + b.size.y;
       return;
     }
     case Kind::potential_particle: {
       const auto& list = shape_tests::potential_particles();
-      const shapes::PotentialParticle& particle = list[s.pick(list.size())];
-      b.geometry = &particle;
+      b.geometry = &list[s.pick(list.size())];
       b.size = {scale, 0, 0};
-      p.circumradius = scale * particle.circumradius;
       return;
     }
     case Kind::polygon: {
-      const shapes::Polygon& outline = outlines()[s.pick(outlines().size())];
-      b.geometry = &outline;
+      b.geometry = &outlines()[s.pick(outlines().size())];
       b.size = {scale, 0, 0};
-      p.circumradius = scale * outline.circumradius;
       return;
     }
     case Kind::mesh:
       b.geometry = &facets();
       b.size = {scale, 0, 0};
       b.part = static_cast<std::uint32_t>(s.pick(facets().facets.size()));
-      for (const Vec3d& v : facets().vertices) p.circumradius = std::max(p.circumradius, scale * norm(v));
       return;
     case Kind::plane:
     case Kind::line:
@@ -181,7 +171,7 @@ void orient_nearly(Posed& p, const Posed& like, Source& s) {
 Vec3d wall_normal(const Body& b) { return b.rotation.column(b.kind == Kind::line ? 1 : 2); }
 
 void place(PairCase& c, const MethodInfo& m, Source& s) {
-  const double reach = c.a.circumradius + c.b.circumradius, small = std::min(c.a.circumradius, reach);
+  const double small = circumradius(c.a.body), reach = small + circumradius(c.b.body);
   const std::size_t how = s.pick(6);
   if (how == 0) {
     c.offset = {};
@@ -256,11 +246,11 @@ PairCase draw_pair(const MethodInfo& m, Source& s) {
   PairCase c;
   const double scale = s.pick(8) == 0 ? std::ldexp(1.0, s.integer(-300, 300)) : 1.0;
   const double ratio = s.pick(4) == 0 ? std::ldexp(1.0, s.integer(-30, 30)) : 1.0;
-  shape(c.a, m.a, scale, s);
+  shape(c.a.body, m.a, scale, s);
   if (m.a == m.b && s.pick(8) == 0) {
     c.b = c.a;  // twice the same body
   } else {
-    shape(c.b, m.b, scale * ratio, s);
+    shape(c.b.body, m.b, scale * ratio, s);
   }
   orient(c.a, s);
   if (s.pick(3) == 0)

@@ -21,13 +21,12 @@ struct Posed {
   Body body;
   Quatd orientation{1, 0, 0, 0};  // bodies of space
   double angle = 0;               // bodies of the plane, rad
-  double circumradius = 0;        // m; 0 of infinite walls
 };
 
 struct PairCase {
   Posed a, b;
   Vec3d offset{};
-  double extent() const { return norm(offset) + a.circumradius + b.circumradius; }
+  double extent() const { return norm(offset) + circumradius(a.body) + circumradius(b.body); }
 };
 
 PairCase draw_pair(const MethodInfo& method, Source& source);

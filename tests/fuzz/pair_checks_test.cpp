@@ -4,11 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <string>
-#include <vector>
+
+#include "tests/libcontact/catalogue.h"
 
 namespace {
 
@@ -78,16 +77,6 @@ TEST_P(PairChecks, TiltedNormalsAndOpenBoundsAreFound) {
   }
 }
 
-// Facets of a mesh answer for a part of a surface.
-std::vector<MethodInfo> of_whole_bodies() {
-  std::vector<MethodInfo> out;
-  std::copy_if(contact::methods_begin(), contact::methods_end(), std::back_inserter(out),
-               [](const MethodInfo& m) { return m.b != Kind::mesh; });
-  return out;
-}
-
-INSTANTIATE_TEST_SUITE_P(Catalogue, PairChecks, testing::ValuesIn(of_whole_bodies()), [](const auto& info) {
-  return std::string(info.param.name) + "_" + shapes::name_of(info.param.a) + "_" + shapes::name_of(info.param.b);
-});
+INSTANTIATE_TEST_SUITE_P(Catalogue, PairChecks, testing::ValuesIn(catalogue::of_whole_bodies()), catalogue::entry_name);
 
 }  // namespace

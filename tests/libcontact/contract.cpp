@@ -14,6 +14,7 @@
 #include "shapes/mesh_build.h"
 #include "shapes/polygon_build.h"
 #include "shapes/polyhedron_build.h"
+#include "tests/libcontact/catalogue.h"
 #include "tests/shapes/potential_samples.h"
 
 namespace {
@@ -121,33 +122,6 @@ Body random_body(Kind kind, Draw& draw) {
       throw std::logic_error("no sample of this kind");
   }
   return b;
-}
-
-double circumradius(const Body& b) {
-  switch (b.kind) {
-    case Kind::sphere:
-    case Kind::disc:
-      return b.size.x;
-    case Kind::ellipsoid:
-    case Kind::ellipse:
-      return max_abs(b.size);
-    case Kind::polygon:
-      return b.size.x * static_cast<const shapes::Polygon*>(b.geometry)->circumradius;
-    case Kind::polyhedron:
-      return b.size.x * static_cast<const shapes::Polyhedron*>(b.geometry)->circumradius;
-    case Kind::rounded_polyhedron:
-      return b.size.x * static_cast<const shapes::Polyhedron*>(b.geometry)->circumradius + b.size.y;
-    case Kind::potential_particle:
-      return b.size.x * static_cast<const shapes::PotentialParticle*>(b.geometry)->circumradius;
-    case Kind::plane:
-    case Kind::line:
-      return 0;
-    default:
-      break;
-  }
-  double r = 0;
-  for (const Vec3d& v : static_cast<const shapes::Mesh*>(b.geometry)->vertices) r = std::max(r, norm(v));
-  return b.size.x * r;
 }
 
 struct Case {
@@ -376,8 +350,6 @@ TEST_P(Contract, bad_numbers_are_refused) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, Contract, testing::ValuesIn(methods_begin(), methods_end()), [](const auto& info) {
-  return std::string(info.param.name) + "_" + name_of(info.param.a) + "_" + name_of(info.param.b);
-});
+INSTANTIATE_TEST_SUITE_P(Catalogue, Contract, testing::ValuesIn(methods_begin(), methods_end()), catalogue::entry_name);
 
 }  // namespace

@@ -6,55 +6,27 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <vector>
 
-#include "libcontact/dispatch.h"
-#include "shapes/math/quat.h"
+#include "tests/reference/body.h"
 
 namespace reference {
 
-using Real = boost::multiprecision::cpp_bin_float_50;
-using Vector = shapes::Vec3<Real>;
-using Matrix = shapes::Mat3<Real>;
-using shapes::Kind;
-using shapes::Vec3d;
-
-// A body whose rotation is the exact one of its (rounded) quaternion; `placed` is what the library is given.
-struct SmoothBody {
-  Kind kind;
-  Vec3d size;
-  shapes::Quatd orientation;
-
-  contact::Body body() const {
-    contact::Body b;
-    b.kind = kind;
-    b.size = size;
-    b.rotation = shapes::rotation_matrix(shapes::normalized(orientation));
-    return b;
-  }
-  Matrix rotation() const {
-    const auto& q = orientation;
-    return shapes::rotation_matrix(shapes::normalized(shapes::Quat<Real>{q.w, q.x, q.y, q.z}));
-  }
-  Vector semi_axes() const {
-    return kind == Kind::sphere ? Vector{size.x, size.x, size.x} : Vector{size.x, size.y, size.z};
-  }
-  double circumradius() const { return kind == Kind::plane ? 0 : (kind == Kind::sphere ? size.x : max_abs(size)); }
-};
-
-inline Vector exact(const Vec3d& v) { return {v.x, v.y, v.z}; }
+// Of a sphere or an ellipsoid.
+inline Vector semi_axes(const Body& b) {
+  return b.kind == Kind::sphere ? exact({b.size.x, b.size.x, b.size.x}) : exact(b.size);
+}
 
 // R D² Rᵀ
-inline Matrix support_matrix(const SmoothBody& b) {
+inline Matrix support_matrix(const Body& b) {
   const Matrix r = b.rotation();
-  const Vector a = b.semi_axes();
+  const Vector a = semi_axes(b);
   return r * Matrix::diagonal(scaled(a, a)) * transposed(r);
 }
 
 // n·d − h_A(n) − h_B(n) for a unit n.
-inline Real separation(const SmoothBody& a, const SmoothBody& b, const Vector& d, const Vector& n) {
+inline Real separation(const Body& a, const Body& b, const Vector& d, const Vector& n) {
   using boost::multiprecision::sqrt;
   return dot(n, d) - sqrt(dot(n, support_matrix(a) * n)) - sqrt(dot(n, support_matrix(b) * n));
 }
@@ -141,9 +113,8 @@ inline bool stationary_point(const Matrix& sa, const Matrix& sb, const Vector& d
 }
 
 // Local maxima of the separation over a scan of directions, climbed by halving compass steps; best first.
-inline std::vector<Vec3d> scan(const SmoothBody& a, const SmoothBody& b, const Vec3d& d, int directions,
-                               std::size_t keep) {
-  const contact::Body pa = a.body(), pb = b.body();
+inline std::vector<Vec3d> scan(const Body& a, const Body& b, const Vec3d& d, int directions, std::size_t keep) {
+  const contact::Body pa = a.placed(), pb = b.placed();
   const Vec3d ea = a.kind == Kind::sphere ? Vec3d{a.size.x, a.size.x, a.size.x} : a.size;
   const auto f = [&](const Vec3d& n) {
     return dot(n, d) - norm(scaled(ea, transposed_times(pa.rotation, n))) -
@@ -188,7 +159,7 @@ inline std::vector<Vec3d> scan(const SmoothBody& a, const SmoothBody& b, const V
   return result;
 }
 
-inline Real ellipsoid_gap(const SmoothBody& a, const SmoothBody& b, const Vec3d& offset, std::size_t starts = 6) {
+inline Real ellipsoid_gap(const Body& a, const Body& b, const Vec3d& offset, std::size_t starts = 6) {
   const Matrix sa = support_matrix(a), sb = support_matrix(b);
   const Vector d = exact(offset);
   Real best = Real("-1e300");
@@ -203,15 +174,15 @@ inline Real ellipsoid_gap(const SmoothBody& a, const SmoothBody& b, const Vec3d&
 }
 
 // Signed gap of a smooth pair in kind order, from A's origin.
-inline Real gap(const SmoothBody& a, const SmoothBody& b, const Vec3d& offset) {
+inline Real gap(const Body& a, const Body& b, const Vec3d& offset) {
   const Vector d = exact(offset);
   if (b.kind == Kind::plane) {
     const Vector normal = b.rotation().column(2);
-    return -dot(normal, d) - norm(scaled(a.semi_axes(), transposed_times(a.rotation(), normal)));
+    return -dot(normal, d) - norm(scaled(semi_axes(a), transposed_times(a.rotation(), normal)));
   }
   if (b.kind == Kind::sphere) return norm(d) - Real(a.size.x) - Real(b.size.x);
   if (a.kind == Kind::sphere)
-    return ellipsoid_distance(b.semi_axes(), transposed_times(b.rotation(), d)) - Real(a.size.x);
+    return ellipsoid_distance(semi_axes(b), transposed_times(b.rotation(), d)) - Real(a.size.x);
   return ellipsoid_gap(a, b, offset);
 }
 

@@ -9,7 +9,6 @@
 namespace reference {
 namespace {
 
-Vector exact(const Vec3d& v) { return {Real(v.x), Real(v.y), Real(v.z)}; }
 Vec3d rounded(const Vector& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
@@ -25,9 +24,7 @@ Real core_separation(const Core<Real>& a, const Core<Real>& b, const Vector& d, 
 
 Answer over_half_space(const Body& a, const Body& b, const Vec3d& offset) {
   const double unit = unit_of(a, a, offset);
-  const auto& q = b.orientation;
-  const Matrix turn = rotation_matrix(normalized(shapes::Quat<Real>{Real(q.w), Real(q.x), Real(q.y), Real(q.z)}));
-  const Vector out = turn.column(b.kind == Kind::line ? 1 : 2);
+  const Vector out = b.rotation().column(b.kind == Kind::line ? 1 : 2);
   const Core<Real> core(a, unit);
   const Real gap = (dot(out, core.support(-out)) - core.ball - Real(unit) * dot(out, exact(offset))) / Real(unit);
   return {gap, gap, -out, 0, true};

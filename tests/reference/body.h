@@ -20,9 +20,16 @@ struct Body {
   Vec3d size{};                    // as contact::Body
   shapes::Quatd orientation{};     // of plane bodies: about z
   const void* geometry = nullptr;  // as contact::Body
-  contact::Body placed() const;
-  double circumradius() const;  // m; 0 of half-spaces
+
+  contact::Body placed() const { return {kind, 0, geometry, size, rotation_matrix(normalized(orientation))}; }
+  Matrix rotation() const {
+    const auto& q = orientation;
+    return rotation_matrix(normalized(shapes::Quat<Real>{Real(q.w), Real(q.x), Real(q.y), Real(q.z)}));
+  }
+  double circumradius() const { return contact::circumradius({kind, 0, geometry, size}); }
 };
+
+inline Vector exact(const Vec3d& v) { return {Real(v.x), Real(v.y), Real(v.z)}; }
 
 // Kinds that the reference answers: convex bodies and half-spaces.
 bool known(const Body& body);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/libcontact/catalogue.h"
 #include "tests/libcontact/poly_reference.h"
 #include "tests/reference/answer.h"
 #include "tests/reference/samples.h"
@@ -52,15 +53,7 @@ TEST_P(Listed, answers_contain_the_reference) {
   EXPECT_GT(matched, m.certified ? pairs / 2 : pairs / 4);
 }
 
-std::vector<MethodInfo> methods_of_bodies() {
-  std::vector<MethodInfo> list(contact::methods_begin(), contact::methods_end());
-  std::erase_if(list, [](const MethodInfo& m) { return m.b == Kind::mesh; });
-  return list;
-}
-
-INSTANTIATE_TEST_SUITE_P(Catalogue, Listed, testing::ValuesIn(methods_of_bodies()), [](const auto& info) {
-  return std::string(info.param.name) + "_" + name_of(info.param.a) + "_" + name_of(info.param.b);
-});
+INSTANTIATE_TEST_SUITE_P(Catalogue, Listed, testing::ValuesIn(catalogue::of_whole_bodies()), catalogue::entry_name);
 
 // Another formulation: bordered Newton from a scan of directions (tests/libcontact/reference.h).
 TEST(Reference, ellipsoids_agree_with_the_bordered_system) {
@@ -68,7 +61,7 @@ TEST(Reference, ellipsoids_agree_with_the_bordered_system) {
   for (int i = 0; i < 20; ++i) {
     const Body a = sample(Kind::ellipsoid, draw), b = sample(Kind::ellipsoid, draw);
     const Vec3d d = sample_offset(a, b, draw);
-    const Real other = ellipsoid_gap({a.kind, a.size, a.orientation}, {b.kind, b.size, b.orientation}, d);
+    const Real other = ellipsoid_gap(a, b, d);
     EXPECT_LE(abs(answer(a, b, d).lower - other), Real("1e-30")) << i;
   }
 }
@@ -80,7 +73,7 @@ TEST(Reference, a_point_in_an_ellipsoid_agrees_with_the_scalar_equation) {
       Body a = sample(Kind::sphere, draw), b = sample(Kind::ellipsoid, draw);
       b.size.z *= thin;
       const Vec3d d = sample_offset(a, b, draw);
-      const Real other = gap(SmoothBody{a.kind, a.size, a.orientation}, SmoothBody{b.kind, b.size, b.orientation}, d);
+      const Real other = gap(a, b, d);
       EXPECT_LE(abs(answer(a, b, d).lower - other), Real("1e-30")) << thin << " " << i;
     }
 }
