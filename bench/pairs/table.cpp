@@ -24,15 +24,16 @@ class Bars {
  public:
   explicit Bars(const std::vector<Entry>& entries) : entries_(entries) {}
   double ns(const std::string& key) const { return ns_of(entries_, key); }
-  // ns(top) / ns(bottom) against the bound; absent when one of them was not timed.
+  // ns(top) / ns(bottom) against the bound. Left out when the yardstick, or the set of what is judged, was not timed.
   void at_least(const std::string& top, const std::string& bottom, double bound) { add(top, bottom, bound, true); }
   void at_most(const std::string& top, const std::string& bottom, double bound) { add(top, bottom, bound, false); }
   const std::vector<Bar>& list() const { return list_; }
 
  private:
   void add(const std::string& top, const std::string& bottom, double bound, bool at_least) {
-    const double got = ns(top) / ns(bottom);
-    if (std::isfinite(got)) list_.push_back({top + " : " + bottom, bound, got, at_least});
+    const std::string &judged = at_least ? bottom : top, &yardstick = at_least ? top : bottom;
+    if (std::isnan(ns(yardstick)) || std::isnan(ns(judged.substr(0, judged.rfind('/')) + "/own scalar"))) return;
+    list_.push_back({top + " : " + bottom, bound, ns(top) / ns(bottom), at_least});
   }
   const std::vector<Entry>& entries_;
   std::vector<Bar> list_;
@@ -104,7 +105,7 @@ int print_bars(const std::vector<Entry>& entries) {
     const bool pass = b.at_least ? b.got >= b.bound : b.got <= b.bound;
     if (!pass) ++missed;
     std::printf("%-92s %s %5.1f %8.2f %s\n", b.text.c_str(), b.at_least ? ">=" : "<=", b.bound, b.got,
-                pass ? "pass" : "MISSED");
+                pass ? "pass" : (std::isnan(b.got) ? "MISSED: there is no such way yet" : "MISSED"));
   }
   return missed;
 }
