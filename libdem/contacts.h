@@ -60,9 +60,12 @@ struct Contacts {
   std::vector<contact::History> history;  // zero when not touching
   std::vector<std::uint8_t> touching;
   std::vector<Slot> slot;
-  std::vector<Vec3d> centre;                   // of the contact, relative to a's centre, m; empty when all are spheres
-  std::vector<contact::Cache> cache;           // likewise
-  std::vector<double> stiffness, stiffness_t;  // N/m, of this step; for the monitor of the time step
+  std::vector<Vec3d> centre;          // of the contact, relative to a's centre, m; empty when all are spheres
+  std::vector<contact::Cache> cache;  // likewise
+  // A pair that was found apart by a proven gap needs no query before its bodies have moved by that much; see
+  // coherence.h. Both are empty when all are spheres and in cells that deform.
+  std::vector<double> travel;       // per particle: at least the way of its farthest point since the last rebuild, m
+  std::vector<double> apart_until;  // per record: the sum of its bodies' travels up to which it is apart; 0: unknown
 
   std::vector<Bin> bins;      // of the records that are in no group
   std::vector<Group> groups;  // empty without bodies of parts, as are the next four

@@ -2,6 +2,7 @@
 // kernels back to its record. Inner header of forces.cpp and forces_compound.cpp.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "libcontact/kernels/chunk.h"
@@ -22,20 +23,11 @@ inline void put(Lane3& lane, std::size_t i, const Vec3d& v) {
 }
 inline Vec3d get(const Lane3& lane, std::size_t i) { return {lane.x[i], lane.y[i], lane.z[i]}; }
 
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
 struct WallFrame {  // of this step
   contact::Body body;
   Vec3d normal;  // plane, line
-};
-
-struct Tally {
-  std::uint64_t queries = 0, touching = 0, not_converged = 0, uncertified = 0;
-  Tally& operator+=(const Tally& t) {
-    queries += t.queries;
-    touching += t.touching;
-    not_converged += t.not_converged;
-    uncertified += t.uncertified;
-    return *this;
-  }
 };
 
 // One thread's working set; reused over its chunks.
@@ -48,6 +40,7 @@ struct Scratch {
   std::uint32_t entry[chunk_size] = {};
   std::uint32_t pair[chunk_size];  // the pair of materials that each lane of `law` holds
   std::uint32_t record[chunk_size] = {}, index_a[chunk_size] = {}, index_b[chunk_size] = {};
+  std::vector<Tally> tally;  // by bin; last: the groups
   contact::Body a[chunk_size], b[chunk_size];
   Vec3d offset[chunk_size];
   contact::Cache cache[chunk_size];

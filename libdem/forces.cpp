@@ -8,6 +8,7 @@
 
 #include "libcontact/methods/polygon_regions.h"
 #include "libdem/build.h"
+#include "libdem/coherence.h"
 #include "libdem/force_pass.h"
 #include "libdem/forces_compound.h"
 #include "libdem/regions.h"
@@ -83,8 +84,9 @@ class PairPass : public ForcePass {
     // The squares said touching, the root may round to no overlap.
     for (std::size_t i = 0; i < n; ++i)
       if (!(l.history_overlap[i] > 0)) forget(s.record[i], s);
-    t.queries = count;
+    t.candidates = count;
     t.touching = n;
+    t.by_spheres = count - n;
     return t;
   }
 
@@ -127,62 +129,117 @@ class PairPass : public ForcePass {
       put(l.couple_b, i, -cross(s.arm_b[i], f));
     }
     store(n, s);
-    t.queries = count;
+    t.candidates = count;
     t.touching = n;
+    t.by_spheres = count - n;
     return t;
+  }
+
+  double travel_of_partner(std::size_t k) const {
+    return c_.key[k].b >= wall_base ? world_.walls[c_.index_b[k]].travel : c_.travel[c_.index_b[k]];
+  }
+  // Record k is apart by `gap` now: so it stays for a while.
+  void keep_apart(std::size_t k, double gap) const {
+    if (c_.travel.empty()) return;
+    const std::uint32_t ia = c_.index_a[k], ib = c_.index_b[k];
+    const double radii = p_.motion[ia].bounding_radius +
+                         (c_.key[k].b >= wall_base ? world_.walls[ib].extent : p_.motion[ib].bounding_radius);
+    c_.apart_until[k] = apart_until(c_.travel[ia] + travel_of_partner(k), gap, radii);
+  }
+
+  // The candidates that need a query, by their places r after `first`, into s.entry: not those that are known to be
+  // apart still, nor those whose bounding spheres are. Of the records of one pair it is the first that is asked.
+  std::size_t in_question(const Bin& bin, std::size_t first, std::size_t count, Scratch& s, Tally& t) const {
+    const std::size_t step = bin.regions ? contact::max_regions : 1;
+    const std::uint32_t *records = &bin.records[first], *a = &bin.a_index[first], *b = &bin.b_index[first];
+    std::size_t asked = 0, n = 0;
+    for (std::size_t r = 0; r < count; r += step) {
+      const std::size_t k = records[r];
+      if (!c_.travel.empty() && c_.travel[a[r]] + travel_of_partner(k) < c_.apart_until[k]) continue;
+      s.entry[asked] = static_cast<std::uint32_t>(r);
+      s.index_a[asked] = a[r];
+      s.index_b[asked++] = c_.key[k].b >= wall_base ? a[r] : b[r];  // a wall has no bounding sphere
+    }
+    t.candidates = count / step;
+    t.by_displacement = t.candidates - asked;
+    pad(s.index_a, asked);
+    pad(s.index_b, asked);
+    if (lattice_ != nullptr)
+      set_.periodic_clearance(p_.motion.data(), s.index_a, s.index_b, asked, *lattice_, s.clearance);
+    else
+      set_.sphere_clearance(p_.motion.data(), s.index_a, s.index_b, asked, s.clearance);
+    for (std::size_t i = 0; i < asked; ++i) {
+      const std::uint32_t r = s.entry[i];
+      const std::size_t k = records[r];
+      const Motion& m = p_.motion[a[r]];
+      double gap = -1;
+      if (is_half_space(bin.b)) {
+        gap = dot(walls_[b[r]].normal, m.position - world_.walls[b[r]].position) - m.bounding_radius;
+      } else if (s.clearance[i] > 0) {
+        const double reach = m.bounding_radius + p_.motion[b[r]].bounding_radius;
+        gap = std::sqrt(s.clearance[i] + reach * reach) - reach;
+      }
+      if (!(gap > 0)) {
+        s.entry[n++] = r;
+        continue;
+      }
+      for (std::size_t slot = 0; slot < step; ++slot) forget(records[r + slot], s);
+      keep_apart(k, gap);
+    }
+    t.by_spheres = asked - n;
+    return n;
   }
 
   Tally general(const Bin& bin, std::size_t first, std::size_t count, Scratch& s) const {
     const std::uint32_t* records = &bin.records[first];
-    for (std::size_t r = 0; r < count; ++r) {
-      const std::size_t k = records[r];
-      if (bin.regions && r % contact::max_regions != 0) {  // one pair, several records
-        s.a[r] = s.a[r - 1];
-        s.b[r] = s.b[r - 1];
-        s.offset[r] = s.offset[r - 1];
-        continue;
-      }
+    const std::size_t step = bin.regions ? contact::max_regions : 1;  // records of a pair
+    Tally t;
+    const std::size_t pairs = in_question(bin, first, count, s, t);
+    for (std::size_t i = 0; i < pairs; ++i) {
+      const std::size_t k = records[s.entry[i]];
       const std::uint32_t ia = c_.index_a[k], ib = c_.index_b[k];
-      s.a[r] = body_of(ia);
+      s.a[i] = body_of(ia);
       const Vec3d& x = p_.motion[ia].position;
       if (c_.key[k].b >= wall_base) {
-        s.b[r] = walls_[ib].body;
-        s.b[r].part = c_.key[k].part;
-        s.offset[r] = world_.walls[ib].position - x;
+        s.b[i] = walls_[ib].body;
+        s.b[i].part = c_.key[k].part;
+        s.offset[i] = world_.walls[ib].position - x;
         // The plane's own origin may be far away: its foot below the body serves as well and keeps every digit.
-        if (is_half_space(bin.b)) s.offset[r] = walls_[ib].normal * dot(walls_[ib].normal, s.offset[r]);
+        if (is_half_space(bin.b)) s.offset[i] = walls_[ib].normal * dot(walls_[ib].normal, s.offset[i]);
       } else {
-        s.b[r] = body_of(ib);
-        s.offset[r] = p_.motion[ib].position - x;
-        if (lattice_ != nullptr) s.offset[r] = lattice_->nearest(s.offset[r]);
+        s.b[i] = body_of(ib);
+        s.offset[i] = p_.motion[ib].position - x;
+        if (lattice_ != nullptr) s.offset[i] = lattice_->nearest(s.offset[i]);
       }
-      s.cache[r] = c_.cache[k];
+      s.cache[i] = c_.cache[k];
     }
-    Tally t;
-    t.queries = count;
     if (bin.regions) {
-      for (std::size_t r = 0; r < count; r += contact::max_regions)
-        answer_regions(s.a[r], s.b[r], s.offset[r], &c_.touching[records[r]], &c_.centre[records[r]], s.answer + r);
-      t.queries = count / contact::max_regions;
+      for (std::size_t i = 0; i < pairs; ++i) {
+        const std::size_t k = records[s.entry[i]];
+        answer_regions(s.a[i], s.b[i], s.offset[i], &c_.touching[k], &c_.centre[k], s.answer + i * step);
+      }
     } else {
-      bin.query(count, s.a, s.b, s.offset, {.overlap_only = true, .patch = true}, s.cache, s.answer);
+      bin.query(pairs, s.a, s.b, s.offset, {.overlap_only = true, .patch = true}, s.cache, s.answer);
     }
     std::size_t n = 0;
-    for (std::size_t r = 0; r < count; ++r) {
-      const std::size_t k = records[r];
-      const contact::Contact& q = s.answer[r];
-      c_.cache[k] = s.cache[r];
+    for (std::size_t j = 0; j < pairs * step; ++j) {
+      const std::size_t i = j / step, r = s.entry[i] + j % step, k = records[r];
+      const contact::Contact& q = s.answer[j];
+      if (!bin.regions) c_.cache[k] = s.cache[i];
       const bool refused = q.status == contact::Status::refused;
       if (refused || q.status == contact::Status::not_converged) ++t.not_converged;
       if (refused || !(q.gap < 0)) {
         forget(k, s);
+        if (bin.regions || !q.certified || !(q.gap_lower > 0)) continue;
+        if (q.iterations == 0 && !(q.gap_upper < infinity)) ++t.by_axis;
+        keep_apart(k, q.gap_lower);
         continue;
       }
       if (!q.certified) ++t.uncertified;
       load_pair(n, bin.pair[first + r], s);
       const bool wall = c_.key[k].b >= wall_base;
       gather(k, n,
-             {-q.gap, q.normal, q.patch.centre, q.patch.spread, s.offset[r], s.a[r].rotation, s.b[r].rotation,
+             {-q.gap, q.normal, q.patch.centre, q.patch.spread, s.offset[i], s.a[i].rotation, s.b[i].rotation,
               p_.motion[c_.index_a[k]].equivalent_radius, wall ? 0 : p_.motion[c_.index_b[k]].equivalent_radius,
               q.patch.centre},
              s);
@@ -280,10 +337,38 @@ void check_contacts(const World& world) {
   tightest.stop();
 }
 
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+// What became of the candidates of each bin, and last of the groups.
+void book(World& world, const std::vector<Tally>& tally) {
+  Counters& n = world.counters;
+  for (std::size_t i = 0; i < tally.size(); ++i) {
+    const Tally& t = tally[i];
+    if (i + 1 == tally.size()) {
+      world.profile.parts += t;
+    } else {
+      const Bin& bin = world.contacts.bins[i];
+      world.profile.pairs[static_cast<std::size_t>(bin.a)][static_cast<std::size_t>(bin.b)] += t;
+    }
+    n.queries += t.candidates;
+    n.contact_steps += t.touching;
+    n.not_converged += t.not_converged;
+    n.uncertified += t.uncertified;
+  }
+}
+
+}  // namespace
+
 void compute_forces(World& world, int threads, double dt) {
   const auto begin = std::chrono::steady_clock::now();
   const PairPass pass(world, dt);
   const CompoundPass compounds(world, dt);
+  const bool timed = world.profile.timed;
+  const Bin* bins = world.contacts.bins.data();
   // Tasks of about ten microseconds, the dear ones first, so that threads end together. The records of one pair are
   // never parted.
   static_assert(chunk_size / 2 % contact::max_regions == 0);
@@ -308,23 +393,26 @@ void compute_forces(World& world, int threads, double dt) {
     if (b.query != nullptr) add(b, chunk_size / 2);
   for (const Bin& b : world.contacts.bins)
     if (b.query == nullptr) add(b, 8 * chunk_size);
-  Tally total;
+  std::vector<Tally> total(world.contacts.bins.size() + 1);
   std::vector<Change> changed;
   std::vector<std::uint32_t> through;
 #pragma omp parallel num_threads(threads)
   {
     static thread_local Scratch scratch;
     std::fill(std::begin(scratch.pair), std::end(scratch.pair), ~std::uint32_t(0));
-    Tally mine;
+    scratch.tally.assign(total.size(), {});
 #pragma omp for schedule(dynamic, 1)
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       const Task& task = tasks[i];
-      mine += task.bin == nullptr ? compounds.answer(task.first, task.last, scratch)
-                                  : pass.answer(*task.bin, task.first, task.last, scratch);
+      const auto start = timed ? std::chrono::steady_clock::now() : begin;
+      Tally mine = task.bin == nullptr ? compounds.answer(task.first, task.last, scratch)
+                                       : pass.answer(*task.bin, task.first, task.last, scratch);
+      if (timed) mine.seconds = seconds_since(start);
+      scratch.tally[task.bin == nullptr ? total.size() - 1 : static_cast<std::size_t>(task.bin - bins)] += mine;
     }
 #pragma omp critical
     {
-      total += mine;
+      for (std::size_t i = 0; i < total.size(); ++i) total[i] += scratch.tally[i];
       changed.insert(changed.end(), scratch.changed.begin(), scratch.changed.end());
       through.insert(through.end(), scratch.through.begin(), scratch.through.end());
       scratch.changed.clear();
@@ -336,11 +424,8 @@ void compute_forces(World& world, int threads, double dt) {
     check_passages(world, through);
     check_impacts(world, changed);
   }
-  world.counters.queries += total.queries;
-  world.counters.contact_steps += total.touching;
-  world.counters.not_converged += total.not_converged;
-  world.counters.uncertified += total.uncertified;
-  world.times.query += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  book(world, total);
+  world.times.query += seconds_since(begin);
 }
 
 void sum_forces(World& world, int threads) {
@@ -363,7 +448,7 @@ void sum_forces(World& world, int threads) {
     w.torque += c.slot[k].torque_b;
   }
   sum_resistance(world);
-  world.times.sum += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  world.times.sum += seconds_since(begin);
 }
 
 }  // namespace dem

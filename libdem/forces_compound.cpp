@@ -77,6 +77,7 @@ void CompoundPass::query(Working& w, Scratch& s, Tally& t) const {
         c_.cache[m.record] = s.cache[r];
         const bool refused = found.status == contact::Status::refused;
         if (refused || found.status == contact::Status::not_converged) ++t.not_converged;
+        if (found.gap_lower > 0 && found.iterations == 0 && !(found.gap_upper < infinity)) ++t.by_axis;
         m.touches = !refused && found.gap < 0;
         if (!m.touches) continue;
         if (!found.certified) ++t.uncertified;
@@ -88,7 +89,7 @@ void CompoundPass::query(Working& w, Scratch& s, Tally& t) const {
         m.contact.overlap = -found.gap;
         m.contact.centre = m.patch.centre;
       }
-      t.queries += n;
+      t.candidates += n;
       n = 0;
     };
     for (std::size_t i = 0; i < w.meets.size(); ++i) {

@@ -7,6 +7,7 @@
 
 #include "libdem/broad_phase/candidates.h"
 #include "libdem/build.h"
+#include "libdem/coherence.h"
 #include "libdem/deformation.h"
 #include "libdem/events/events.h"
 #include "libdem/forces.h"
@@ -59,9 +60,12 @@ void kick_and_drift(World& world, int threads, double dt, const CellStep& flow) 
   const Vec3d gravity = world.scene.gravity;
   const Cell& cell = world.cell;
   const bool periodic = cell.periodic, deforms = cell.deforms;
+  double* travel = world.contacts.travel.empty() || world.contacts.stale ? nullptr : world.contacts.travel.data();
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::size_t i = 0; i < p.count(); ++i) {
     BodyAt body(p, i);
+    const Vec3d before = body.m.position;
+    const Quatd turned = p.orientation[i];
     body.kick(gravity, 0.5 * dt);
     if (deforms) {
       Vec3d& x = body.m.position;
@@ -71,8 +75,10 @@ void kick_and_drift(World& world, int threads, double dt, const CellStep& flow) 
     } else {
       body.m.position += body.m.velocity * dt;
     }
+    const Vec3d moved = body.m.position - before;
     if (periodic) cell.wrap(body.m.position);
     body.turn(dt);
+    if (travel != nullptr) travel[i] += travel_of(moved, turned, p.orientation[i], body.m.bounding_radius);
   }
 }
 
@@ -115,7 +121,7 @@ void monitor(World& world) {
     throw RunError("step " + std::to_string(world.step) + ": " + std::to_string(n.not_converged) +
                    " contact queries did not converge and " + std::to_string(n.uncertified) +
                    " were not certified, of " + std::to_string(n.contact_steps) + " contact-steps; allowed share: " +
-                   std::to_string(world.scene.run.max_uncertified_share) + " (contact.max_uncertified_share)");
+                   std::to_string(world.scene.run.max_uncertified_share) + " (run.max_uncertified_share)");
   const double limit = present_limit(world);
   world.tightest_limit = std::min(world.tightest_limit, limit);
   if (world.time_step.dt > limit)

@@ -14,6 +14,7 @@
 #include <numbers>
 
 #include "libdem/build.h"
+#include "libdem/coherence.h"
 #include "shapes/math/trig.h"
 
 namespace dem {
@@ -103,6 +104,15 @@ void push(Wall& w, double time, double dt) {
   w.position += w.velocity * dt;
 }
 
+void add_travel(Wall& w) {
+  const Quatd &q = w.orientation, &seen = w.seen_orientation;
+  const bool turned = q.w != seen.w || q.x != seen.x || q.y != seen.y || q.z != seen.z;
+  const double radius = is_half_space(w.kind) && turned ? std::numeric_limits<double>::infinity() : w.extent;
+  if (turned || !(w.position == w.seen_position)) w.travel += travel_of(w.position - w.seen_position, seen, q, radius);
+  w.seen_position = w.position;
+  w.seen_orientation = w.orientation;
+}
+
 }  // namespace
 
 void start_motion(Wall& w, double time) {
@@ -142,6 +152,7 @@ void move_walls(World& world) {
       push(w, world.time(), dt);
     else
       place(w, world.time(), dt);
+    if (!world.contacts.travel.empty()) add_travel(w);
     if (w.present && world.time() >= w.motion.remove_at) {
       w.present = false;
       world.contacts.stale = true;

@@ -14,6 +14,7 @@
 #include "libdem/contacts.h"
 #include "libdem/events/condition.h"
 #include "libdem/particles.h"
+#include "libdem/profile.h"
 #include "libdem/scene/scene.h"
 #include "libdem/wall_load.h"
 
@@ -67,6 +68,9 @@ struct Wall {
   Vec3d push{};             // servo: unit, along which it pushes
   double target = 0;        // servo: N
   double resistance = 0;    // servo: N s/m, of the bodies that it last touched; see walls.cpp
+  double travel = 0;        // as Contacts::travel; infinite of half-spaces that turn
+  Vec3d seen_position{};    // up to where `travel` goes
+  Quatd seen_orientation{};
   bool meets_in_regions() const { return polygon && !polygon->convex; }
 };
 
@@ -149,7 +153,8 @@ struct World {
   std::vector<Condition> conditions;  // of the events; not part of the state
   Condition until;
   std::uint64_t ended_by = 0;  // 0: not yet; 1: run.until; 2 + i: event i
-  PhaseTimes times;            // not part of the state
+  PhaseTimes times;            // not part of the state, nor is the next
+  Profile profile;
   double time() const { return static_cast<double>(step) * time_step.dt; }
 };
 

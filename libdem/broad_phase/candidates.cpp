@@ -297,9 +297,14 @@ void rebuild_candidates(World& world, int threads) {
   c.reference.resize(p.count());
   for (std::size_t i = 0; i < p.count(); ++i) c.reference[i] = p.motion[i].position;
   if (has_compounds(world)) c.reference_orientation = p.orientation;
+  if (!c.centre.empty() && !world.cell.deforms) {
+    c.travel.resize(p.count());
+    c.apart_until.resize(total);
+  }
   for (Wall& wall : world.walls) {
-    wall.list_position = wall.position;
-    wall.list_orientation = wall.orientation;
+    wall.list_position = wall.seen_position = wall.position;
+    wall.list_orientation = wall.seen_orientation = wall.orientation;
+    wall.travel = 0;
   }
   c.largest_sum = reach_of(world) - world.skin;
   world.cell.stretch = {1, 1, 1};

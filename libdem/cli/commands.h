@@ -12,7 +12,7 @@ enum ExitCode : int { success = 0, failed_run = 1, bad_input = 2, interrupted = 
 
 struct RunArguments {
   std::string scene, folder;
-  bool force = false, quiet = false;
+  bool force = false, quiet = false, profile = false;
   int threads = 0;  // 0: all cores that the scene can keep busy
   std::vector<std::string> overrides;
 };
@@ -21,7 +21,7 @@ int run_command(const RunArguments& arguments);
 struct ResumeArguments {
   std::string folder;
   int threads = 0;
-  bool quiet = false;
+  bool quiet = false, profile = false;
 };
 int resume_command(const ResumeArguments& arguments);
 

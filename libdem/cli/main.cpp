@@ -36,6 +36,10 @@ void add_threads(CLI::App* sub, int& threads) {
       ->check(CLI::Range(1, 4096));
 }
 
+void add_profile(CLI::App* sub, bool& profile) {
+  sub->add_flag("--profile", profile, "Say at the end where the time went, and what became of the candidate pairs");
+}
+
 void add_run(CLI::App& app, RunArguments& a) {
   CLI::App* sub = command(app, "run", "Run a scene.",
                           "  dem run hopper.toml --out out/hopper\n"
@@ -45,6 +49,7 @@ void add_run(CLI::App& app, RunArguments& a) {
   sub->add_option("--out", a.folder, "Folder for everything that the run writes")->required()->type_name("DIR");
   sub->add_flag("--force", a.force, "Replace the run that the folder holds (only files that a run writes)");
   sub->add_flag("--quiet", a.quiet, "No progress");
+  add_profile(sub, a.profile);
   add_threads(sub, a.threads);
   add_overrides(sub, a.overrides);
 }
@@ -54,6 +59,7 @@ void add_resume(CLI::App& app, ResumeArguments& a) {
                           "  dem resume out/hopper\n  dem resume out/hopper --threads 2");
   sub->add_option("folder", a.folder, "Folder of the run")->required()->type_name("DIR");
   sub->add_flag("--quiet", a.quiet, "No progress");
+  add_profile(sub, a.profile);
   add_threads(sub, a.threads);
 }
 

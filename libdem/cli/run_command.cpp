@@ -7,6 +7,7 @@
 
 #include "libdem/cli/commands.h"
 #include "libdem/cli/folder.h"
+#include "libdem/cli/profile.h"
 #include "libdem/cli/progress.h"
 #include "libdem/io/io.h"
 #include "libdem/run.h"
@@ -58,6 +59,7 @@ int carry_out(World& world, const std::string& folder, int threads, bool quiet, 
     return interrupted;
   }
   report(world, folder);
+  if (world.profile.timed) print_profile(world, options.threads);
   return success;
 }
 
@@ -71,11 +73,13 @@ int run_command(const RunArguments& arguments) {
                world.walls.size(), total_steps(world), world.time_step.dt, world.time_step.limit,
                world.time_step.limited_by);
   if (arguments.force) clear_folder(arguments.folder);
+  world.profile.timed = arguments.profile;
   return carry_out(world, arguments.folder, arguments.threads, arguments.quiet, false);
 }
 
 int resume_command(const ResumeArguments& arguments) {
   World world = build_world(scene_of_run(arguments.folder));
+  world.profile.timed = arguments.profile;
   const auto checkpoint = io::read_last_checkpoint(arguments.folder);
   if (!checkpoint) {
     fmt::print(stderr, "{}: no checkpoint; starts again from the beginning\n", arguments.folder);

@@ -199,8 +199,6 @@ void get_contacts(const hdf5::File& file, const std::string& at, World& world) {
     c.cache.assign(a.size(), {});
   }
   c.touching.assign(a.size(), 1);
-  c.stiffness.assign(a.size(), 0);
-  c.stiffness_t.assign(a.size(), 0);
   world.contacts = std::move(c);
 }
 

@@ -1,6 +1,6 @@
 // summary.json: what a run did, in one page. Keys: title, version, end, steps, time, dt, dt_limit, dt_limited_by,
-// threads, particles, particle_steps_per_s, seconds, contacts_per_particle, counters, energies, momentum,
-// momentum_balance, mass_balance, cell (periodic scenes), outlets, materials and
+// threads, particles, particle_steps_per_s, seconds, contacts_per_particle, counters, pairs (since the start or the
+// last resume), energies, momentum, momentum_balance, mass_balance, cell (periodic scenes), outlets, materials and
 // published_friction with their sources, walls, state_hash. SI units.
 #include <fmt/format.h>
 
@@ -92,6 +92,29 @@ Json outlet(const World& world, std::size_t o) {
   return out;
 }
 
+// What became of the candidates, by pair of kinds.
+Json coherence(const Profile& profile) {
+  Json out = Json::array();
+  const auto add = [&out](const std::string& pair, const Tally& t) {
+    if (t.candidates == 0) return;
+    out.push_back({{"pair", pair},
+                   {"candidates", t.candidates},
+                   {"refused_by_displacement", t.by_displacement},
+                   {"refused_by_spheres", t.by_spheres},
+                   {"refused_by_axis", t.by_axis},
+                   {"touching", t.touching},
+                   {"uncertified", t.uncertified},
+                   {"not_converged", t.not_converged}});
+  };
+  for (std::size_t a = 0; a < shapes::kind_count; ++a)
+    for (std::size_t b = 0; b < shapes::kind_count; ++b)
+      add(fmt::format("{}, {}", shapes::name_of(static_cast<shapes::Kind>(a)),
+                      shapes::name_of(static_cast<shapes::Kind>(b))),
+          profile.pairs[a][b]);
+  add("bodies of parts", profile.parts);
+  return out;
+}
+
 Json species_counts(const World& world) {
   std::vector<std::uint64_t> count(world.scene.species.size() + 1);
   for (const std::uint32_t s : world.particles.species) ++count[s];
@@ -131,6 +154,7 @@ void write_summary(const std::string& path, const World& world, const std::strin
                          {"uncertified", c.uncertified},
                          {"deleted", c.deleted},
                          {"inserted", c.inserted}};
+  summary["pairs"] = coherence(world.profile);
   summary["energies"] = {{"translational", e.translational},
                          {"rotational", e.rotational},
                          {"potential", e.potential},

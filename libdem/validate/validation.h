@@ -16,6 +16,7 @@
 //                             }};
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -62,10 +63,14 @@ class Runs {
   // The world at t = 0, for what a criterion needs before the run.
   World build(const std::vector<std::string>& overrides = {}) const;
   int threads() const { return threads_; }
+  // Of all runs that came to their end: answers that were not certified, and all answers of touching pairs.
+  std::uint64_t uncertified() const { return uncertified_; }
+  std::uint64_t contact_steps() const { return contact_steps_; }
 
  private:
   std::string scene_path_, folder_;
   int threads_;
+  std::uint64_t uncertified_ = 0, contact_steps_ = 0;
 };
 
 struct Validation {

@@ -79,8 +79,6 @@ inline void add_contact(World& world, std::uint32_t a, std::uint64_t b, const Ve
   c.slot.push_back({force, {}, {}});
   c.centre.push_back(normal * world.particles.motion[a].bounding_radius);
   c.cache.push_back({});
-  c.stiffness.push_back(1);
-  c.stiffness_t.push_back(1);
 }
 
 inline World small_world() {
