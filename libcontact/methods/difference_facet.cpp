@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "libcontact/methods/edge_arcs.h"
+#include "libcontact/methods/facet_alone.h"
 
 namespace contact {
 namespace {
@@ -23,25 +24,6 @@ Next lowest_neighbour(const shapes::Polyhedron& p, const Vec3d& m, std::uint32_t
     if (const double value = dot(m, p.vertices[u]); u != except && value < next.value) next = {value, u};
   }
   return next;
-}
-
-// (1) and (2) for a facet at depth d along n with its foot `reach` within its border, `rise` below it the next vertices
-// of either body.
-bool alone(double d, double reach, double rise, const Vec3d& n, const Vec3d& core, double core_radius, double size,
-           bool enclosed) {
-  const double margin = proof_clearance * size;
-  if (!(d > margin && reach > 0x1p-20 * size)) return false;
-  // Up to an angle of 2 margin / reach a facet could be as near as F; one with a vertex that F has not is not there.
-  if (!(rise > 4 * margin * size / reach + 16 * epsilon * size)) return false;
-  const double t = std::min(0.875 * reach / d, 8.0);  // tan(θ/2) where (2) takes over from (1)
-  // What is as near as F passes over F, at an angle of at most √(2 margin / d), where (1) holds.
-  if (enclosed) return t * t * d > 2 * margin;
-  const double w = 1 / (1 + t * t), sine = 2 * t * w, cosine = (1 - t * t) * w;
-  if (!(sine * (reach - d * t) > margin)) return false;
-  const double along = dot(core, n);
-  const double across = norm(core - along * n);
-  return along * cosine - across * sine + core_radius > d + margin &&  // and it grows from there to θ = π:
-         along * sine + across * cosine <= 0;
 }
 
 // The separation along n, with the height of the lowest of other's vertices and of self's highest in their own units.
@@ -81,8 +63,8 @@ Nearest prove_face(const PolyhedronPair& pair, const Vec3d& core, double core_ra
     p = q;
   }
   const double rise = std::min(pair.other_scale * (next.value - low), pair.self_scale * self.face_rise[face]);
-  return alone(-value, std::sqrt(square), rise, f.normal, core, core_radius, size, enclosed) ? Nearest::proven
-                                                                                             : Nearest::open;
+  return facet_is_alone(-value, std::sqrt(square), rise, f.normal, core, core_radius, size, enclosed) ? Nearest::proven
+                                                                                                      : Nearest::open;
 }
 
 Nearest prove_edges(const DifferencePair& pair, std::uint32_t edge_a, std::uint32_t edge_b, FacetAxis& axis,
@@ -113,8 +95,8 @@ Nearest prove_edges(const DifferencePair& pair, std::uint32_t edge_a, std::uint3
   const double above_b =
       std::min(lowest_neighbour(other, m, vb[0], vb[1]).value, lowest_neighbour(other, m, vb[1], vb[0]).value) - low;
   const double rise = std::min(pair.self_scale * below_a, pair.other_scale * above_b);
-  return alone(-axis.value, reach, rise, n, pair.core, pair.core_radius, pair.size, enclosed) ? Nearest::proven
-                                                                                              : Nearest::open;
+  return facet_is_alone(-axis.value, reach, rise, n, pair.core, pair.core_radius, pair.size, enclosed) ? Nearest::proven
+                                                                                                       : Nearest::open;
 }
 
 }  // namespace

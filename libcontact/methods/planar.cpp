@@ -5,9 +5,11 @@
 
 #include "libcontact/methods/analytic.h"
 #include "libcontact/methods/method.h"
+#include "libcontact/methods/planar_apart.h"
 #include "libcontact/methods/planar_ellipse.h"
 #include "libcontact/methods/planar_outline.h"
 #include "libcontact/methods/planar_space.h"
+#include "libcontact/methods/polygon_pair.h"
 #include "libcontact/methods/polygon_regions.h"
 #include "libcontact/scale.h"
 
@@ -54,6 +56,57 @@ void keep_nearest(Contact& best, const Contact& c) {
   if (best.status == Status::refused || c.gap < best.gap) best = c;
 }
 
+Contact disc_polygon(const Placed<shapes::Disc>& a, const Placed<shapes::Polygon>& b, const Vec3d& offset,
+                     const Options& options) {
+  const double extent = max_abs(offset) + (a.radius + b.scale * b.shape->circumradius);
+  if (!(a.radius > 0 && b.scale > 0 && extent_in_range(extent) && all_at_least(offset, -extent))) return refused();
+  Contact c = refused();
+  if (!b.shape->convex && deepest_region(a, b, offset, options, c)) return c;
+  const Scale unit = scale_of(extent);
+  const Placement place = placement(b, unit.down, unit.down * offset);
+  for (const auto& part : b.shape->parts)
+    keep_nearest(c, disc_loop(a.radius * unit.down, Loop(part, place), 2 * extent * unit.down));
+  rescale(c, unit.up);
+  return c;
+}
+
+Contact ellipse_polygon(const Placed<shapes::Ellipse>& a, const Placed<shapes::Polygon>& b, const Vec3d& offset,
+                        const Options& options) {
+  const double extent = max_abs(offset) + (std::max(a.a, a.b) + b.scale * b.shape->circumradius);
+  const double limit = smallest_ratio * extent;
+  if (!(a.a >= limit && a.b >= limit && b.scale > 0 && extent_in_range(extent) && all_at_least(offset, -extent)))
+    return refused();
+  Contact c = refused();
+  if (!b.shape->convex && deepest_region(a, b, offset, options, c)) return c;
+  const Scale unit = scale_of(extent);
+  const Placement place = placement(b, unit.down, unit.down * offset);
+  const Placed<shapes::Ellipse> ellipse{a.a * unit.down, a.b * unit.down, a.cosine, a.sine};
+  for (const auto& part : b.shape->parts)
+    keep_nearest(c, ellipse_loop(ellipse, Loop(part, place), 2 * extent * unit.down));
+  rescale(c, unit.up);
+  return c;
+}
+
+void polygon_pair(const Placed<shapes::Polygon>& a, const Placed<shapes::Polygon>& b, const Vec3d& offset,
+                  const Options& options, SideContact& known, Contact& c) {
+  const double extent = max_abs(offset) + (a.scale * a.shape->circumradius + b.scale * b.shape->circumradius);
+  if (!(a.scale > 0 && b.scale > 0 && extent_in_range(extent) && all_at_least(offset, -extent))) return;
+  const Scale unit = scale_of(extent);
+  const Placement place_a = placement(a, unit.down, {}), place_b = placement(b, unit.down, unit.down * offset);
+  const double size = 2 * extent * unit.down;
+  if (a.shape->convex && b.shape->convex)
+    return loop_pair(Loop(*a.shape, place_a), Loop(*b.shape, place_b), size, unit.up, options, known, c);
+  known = {};
+  if (deepest_region(a, b, offset, options, c)) return;
+  for (const auto& part : a.shape->parts)
+    for (const auto& other : b.shape->parts) {
+      SideContact none;
+      Contact one = refused();
+      loop_pair(Loop(part, place_a), Loop(other, place_b), size, unit.up, options, none, one);
+      keep_nearest(c, one);
+    }
+}
+
 }  // namespace
 
 Contact Planar::query(const Placed<shapes::Disc>& a, const Placed<shapes::Disc>& b, const Vec3d& offset, const Options&,
@@ -83,67 +136,49 @@ Contact Planar::query(const Placed<shapes::Ellipse>& a, const Placed<shapes::Lin
 }
 
 Contact Planar::query(const Placed<shapes::Ellipse>& a, const Placed<shapes::Ellipse>& b, const Vec3d& offset,
-                      const Options&, Cache*) {
-  if (seen_from_b(offset)) return exchanged(ellipse_pair(b, a, -offset), offset);
-  return ellipse_pair(a, b, offset);
+                      const Options& options, Cache* cache) {
+  Contact c;
+  if (still_apart(a, b, offset, options, cache, c)) return c;
+  c = seen_from_b(offset) ? exchanged(ellipse_pair(b, a, -offset), offset) : ellipse_pair(a, b, offset);
+  keep_apart(a, c, cache);
+  return c;
 }
 
 Contact Planar::query(const Placed<shapes::Disc>& a, const Placed<shapes::Polygon>& b, const Vec3d& offset,
-                      const Options& options, Cache*) {
-  const double extent = max_abs(offset) + (a.radius + b.scale * b.shape->circumradius);
-  if (!(a.radius > 0 && b.scale > 0 && extent_in_range(extent) && all_at_least(offset, -extent))) return refused();
-  Contact c = refused();
-  if (!b.shape->convex && deepest_region(a, b, offset, options, c)) return c;
-  const Scale unit = scale_of(extent);
-  const Placement place = placement(b, unit.down, unit.down * offset);
-  for (const auto& part : b.shape->parts)
-    keep_nearest(c, disc_outline(a.radius * unit.down, Outline(part, place), 2 * extent * unit.down));
-  rescale(c, unit.up);
+                      const Options& options, Cache* cache) {
+  Contact c;
+  if (still_apart(a, b, offset, options, cache, c)) return c;
+  c = disc_polygon(a, b, offset, options);
+  keep_apart(a, c, cache);
   return c;
 }
 
 Contact Planar::query(const Placed<shapes::Ellipse>& a, const Placed<shapes::Polygon>& b, const Vec3d& offset,
-                      const Options& options, Cache*) {
-  const double extent = max_abs(offset) + (std::max(a.a, a.b) + b.scale * b.shape->circumradius);
-  const double limit = smallest_ratio * extent;
-  if (!(a.a >= limit && a.b >= limit && b.scale > 0 && extent_in_range(extent) && all_at_least(offset, -extent)))
-    return refused();
-  Contact c = refused();
-  if (!b.shape->convex && deepest_region(a, b, offset, options, c)) return c;
-  const Scale unit = scale_of(extent);
-  const Placement place = placement(b, unit.down, unit.down * offset);
-  const Placed<shapes::Ellipse> ellipse{a.a * unit.down, a.b * unit.down, a.cosine, a.sine};
-  for (const auto& part : b.shape->parts)
-    keep_nearest(c, ellipse_outline(ellipse, Outline(part, place), 2 * extent * unit.down));
-  rescale(c, unit.up);
+                      const Options& options, Cache* cache) {
+  Contact c;
+  if (still_apart(a, b, offset, options, cache, c)) return c;
+  c = ellipse_polygon(a, b, offset, options);
+  keep_apart(a, c, cache);
   return c;
 }
-
-namespace {
-
-Contact polygon_pair(const Placed<shapes::Polygon>& a, const Placed<shapes::Polygon>& b, const Vec3d& offset,
-                     const Options& options) {
-  const double extent = max_abs(offset) + (a.scale * a.shape->circumradius + b.scale * b.shape->circumradius);
-  if (!(a.scale > 0 && b.scale > 0 && extent_in_range(extent) && all_at_least(offset, -extent))) return refused();
-  Contact c = refused();
-  if (!(a.shape->convex && b.shape->convex) && deepest_region(a, b, offset, options, c)) return c;
-  const Scale unit = scale_of(extent);
-  const Placement place_a = placement(a, unit.down, {}), place_b = placement(b, unit.down, unit.down * offset);
-  for (const auto& part : a.shape->parts) {
-    const Outline outline(part, place_a);
-    for (const auto& other : b.shape->parts)
-      keep_nearest(c, outline_pair(outline, Outline(other, place_b), 2 * extent * unit.down, options));
-  }
-  rescale(c, unit.up);
-  return c;
-}
-
-}  // namespace
 
 Contact Planar::query(const Placed<shapes::Polygon>& a, const Placed<shapes::Polygon>& b, const Vec3d& offset,
-                      const Options& options, Cache*) {
-  if (seen_from_b(offset)) return exchanged(polygon_pair(b, a, -offset, options), offset);
-  return polygon_pair(a, b, offset, options);
+                      const Options& options, Cache* cache) {
+  Contact c;
+  if (still_apart(a, b, offset, options, cache, c)) return c;
+  c.gap_lower = -std::numeric_limits<double>::infinity();
+  c.gap_upper = std::numeric_limits<double>::infinity();
+  const bool turned = seen_from_b(offset);
+  SideContact known = side_in(cache, turned);
+  if (turned) {
+    polygon_pair(b, a, -offset, options, known, c);
+    exchange(c, offset);
+  } else {
+    polygon_pair(a, b, offset, options, known, c);
+  }
+  keep_apart(a, c, cache);
+  keep_side(known, turned, cache);
+  return c;
 }
 
 Contact Planar::query(const Placed<shapes::Polygon>& a, const Placed<shapes::Line>& b, const Vec3d& offset,

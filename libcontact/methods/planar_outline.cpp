@@ -71,112 +71,150 @@ bool AreaMoments::patch(const Vec3d& n, Patch& patch) const {
   return true;
 }
 
-Contact disc_outline(double radius, const Outline& p, double size) {
+Lowest lowest_from(std::span<const Vec3d> loop, const Vec3d& m, std::uint32_t vertex) {
+  const auto count = static_cast<std::uint32_t>(loop.size());
+  const auto after = [&](std::uint32_t i) { return i + 1 == count ? 0 : i + 1; };
+  const auto before = [&](std::uint32_t i) { return (i == 0 ? count : i) - 1; };
+  const auto height = [&](std::uint32_t i) { return dot_xy(m, loop[i]); };
+  std::uint32_t at = vertex;
+  double here = height(at), ahead = height(after(at)), behind = height(before(at));
+  while (ahead < here) {
+    at = after(at);
+    behind = here;
+    here = ahead;
+    ahead = height(after(at));
+  }
+  while (behind < here) {
+    at = before(at);
+    ahead = here;
+    here = behind;
+    behind = height(before(at));
+  }
+  return {at, here, std::min(ahead, behind) - here};
+}
+
+Contact disc_loop(double radius, const Loop& p, double size) {
   double best = -infinity;
   Vec3d n{};
-  for (std::size_t i = 0; i < p.size(); ++i)
-    if (const double f = -p.height(i); f > best) best = f, n = -p.normal(i);
+  for (std::uint32_t i = 0; i < p.size(); ++i) {
+    const Vec3d out = p.normal(i);
+    if (const double f = -p.height(i, out); f > best) best = f, n = -out;
+  }
   Vec3d on_b = best * n;
   if (best > 0) {
     double least = infinity;
-    Vec3d nearest{};
-    for (std::size_t i = 0; i < p.size(); ++i)
-      if (const double square = dot(p.vertex(i), p.vertex(i)); square < least) least = square, nearest = p.vertex(i);
-    std::size_t index = 0;
-    if (Vec3d towards; length_and_direction(nearest, towards) > 0 && towards.z == 0) {
-      if (const double f = p.lowest(towards, index); f > best) best = f, n = towards, on_b = p.vertex(index);
+    Vec3d nearest{}, towards;
+    for (std::uint32_t i = 0; i < p.size(); ++i) {
+      const Vec3d v = p.vertex(i);
+      if (const double square = dot_xy(v, v); square < least) least = square, nearest = v;
+    }
+    if (length_and_direction(nearest, towards) > 0 && towards.z == 0) {
+      double f = infinity;
+      for (std::uint32_t i = 0; i < p.size(); ++i) f = std::min(f, dot_xy(towards, p.vertex(i)));
+      if (f > best) best = f, n = towards, on_b = nearest;
     }
   }
   if (!(std::abs(best) <= 8)) return refused();
   return answer(best - radius, 0, size, n, radius * n, on_b);
 }
 
-Contact ellipse_outline(const Placed<shapes::Ellipse>& a, const Outline& p, double size) {
-  const Placed<shapes::Ellipsoid> e = in_space(a);
-  const auto support = [&](const Vec3d& n) { return scaled(e.semi_axes, transposed_times(e.rotation, n)); };
-  double best = -infinity, excess = 0;
-  Vec3d n{}, on_a{}, on_b{};
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const Vec3d u = support(-p.normal(i));
-    const double reach = norm(u), f = -p.height(i) - reach;
-    if (!(f > best)) continue;
-    best = f;
-    n = -p.normal(i);
-    on_a = e.rotation * scaled(e.semi_axes, u * (1 / reach));
-    on_b = on_a + f * n;
-  }
-  if (!(std::abs(best) <= 16)) return refused();
-  // The edge normals hold the maximum where they bound a vertex cone; inside the cone it is the normal of a foot.
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const Vec3d &v = p.vertex(i), y = transposed_times(e.rotation, v);
-    EllipsoidFoot feet[2] = {nearest_on_ellipsoid(e.semi_axes, y), {}};
-    const int count = second_foot(e.semi_axes, y, feet[1]) ? 2 : 1;
-    for (int k = 0; k < count; ++k) {
-      const Vec3d normal = e.rotation * feet[k].normal;
-      std::size_t index = i;
-      const double f = p.lowest(normal, index) - norm(support(normal));
-      if (!(f > best)) continue;
-      best = f;
-      n = normal;
-      on_a = e.rotation * feet[k].foot;
-      on_b = v;
-      excess = feet[k].residual * norm(y);
-    }
-  }
-  return answer(best, excess, size, n, on_a, on_b);
-}
+namespace {
 
-Contact outline_pair(const Outline& a, const Outline& b, double size, const Options& options) {
-  double best = -infinity;
-  Vec3d n{}, on_a{}, on_b{};
-  std::size_t index = 0;
-  // A vertex of one body over an edge of the other, within the edge's ends where edges are parallel. True: apart for
-  // sure, and nothing more is asked.
-  const auto take = [&](const Outline& edges, const Outline& other, bool of_a) {
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      const Vec3d& out = edges.normal(i);
-      const double f = other.lowest(out, index) - edges.height(i);
-      if (!(f > best)) continue;
-      best = f;
-      const Vec3d &v = other.vertex(index), &p = edges.vertex(i), &q = edges.vertex(edges.next(i));
-      const Vec3d along{-out.y, out.x, 0};
-      const double u = dot(along, v), inside = std::clamp(u, dot(along, p), std::max(dot(along, p), dot(along, q)));
-      const Vec3d at = v + (inside - u) * along, under = at - f * out;
-      n = of_a ? out : -out;
-      on_a = of_a ? under : at;
-      on_b = of_a ? at : under;
-      if (options.overlap_only && f > proof_margin(size)) return true;
-    }
-    return false;
-  };
-  if (take(a, b, true) || take(b, a, false)) return best <= 8 ? separation_proof(best, size, n, 1) : refused();
-  if (best > -planar_half_width * size) {
-    double least = infinity;
-    std::size_t ia = 0, ib = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-      for (std::size_t j = 0; j < b.size(); ++j) {
-        const Vec3d between = b.vertex(j) - a.vertex(i);
-        if (const double square = dot(between, between); square < least) least = square, ia = i, ib = j;
+class EllipseLoop {
+ public:
+  EllipseLoop(const Placed<shapes::Ellipse>& a, const Loop& p, double size) : e_(in_space(a)), p_(p), size_(size) {
+    const double small = std::min(a.a, a.b);
+    least_ = small;
+    least_curvature_radius_ = small * (small / std::max(a.a, a.b));
+  }
+
+  Contact solve() {
+    const std::uint32_t side = sides();
+    if (!(std::abs(best_) <= 16)) return refused();
+    if (!over_side(side)) all_vertices();
+    return answer(best_, excess_, size_, n_, on_a_, on_b_);
+  }
+
+ private:
+  Vec3d support(const Vec3d& n) const { return scaled(e_.semi_axes, transposed_times(e_.rotation, n)); }
+
+  // The best of the sides' normals.
+  std::uint32_t sides() {
+    std::uint32_t top = 0, best_side = 0;
+    double highest = -infinity;  // of the ellipse's centre over a side
+    for (std::uint32_t i = 0; i < p_.size(); ++i)
+      if (const double h = -p_.height(i, p_.normal(i)); h > highest) highest = h, top = i;
+    const auto evaluate = [&](std::uint32_t i) {
+      const Vec3d out = p_.normal(i), u = support(-out);
+      const double reach = norm(u), f = -p_.height(i, out) - reach;
+      if (!(f > best_ || (f == best_ && i < best_side))) return;
+      best_ = f;
+      best_side = i;
+      n_ = -out;
+      on_a_ = e_.rotation * scaled(e_.semi_axes, u * (1 / reach));
+      on_b_ = on_a_ + f * n_;
+    };
+    evaluate(top);
+    const double margin = 16 * epsilon * size_;
+    for (std::uint32_t i = 0; i < p_.size(); ++i)
+      if (i != top && !(-p_.height(i, p_.normal(i)) - least_ + margin < best_)) evaluate(i);
+    return best_side;
+  }
+
+  // Is this the greatest separation? The ellipse is a convex body K and a ball of its least radius of curvature ρ.
+  // While gap + ρ > 0, K is apart from the polygon: nearest to it over the side, if its lowest point lies over the
+  // side. Else a vertex at an end of the side bounds all of f by its own greatest φ_v, which f reaches where no other
+  // vertex is lower.
+  bool over_side(std::uint32_t side) {
+    const Vec3d along{n_.y, -n_.x, 0};
+    const double u = dot_xy(along, on_a_), from = dot_xy(along, p_.vertex(side)),
+                 to = dot_xy(along, p_.vertex(p_.next(side)));
+    if (from <= u && u <= to) return best_ + least_curvature_radius_ > 16 * epsilon * size_;
+    const std::uint32_t end = u < from ? side : p_.next(side);
+    const Vec3d v = p_.vertex(end), y = transposed_times(e_.rotation, v);
+    const EllipsoidFoot foot = nearest_on_ellipsoid(e_.semi_axes, y);
+    const Vec3d normal = e_.rotation * foot.normal;
+    if (lowest_from(p_.vertices, p_.in_frame(normal), end).vertex != end) return false;
+    try_foot(foot, normal, y, v, dot_xy(normal, v));
+    return true;
+  }
+
+  void try_foot(const EllipsoidFoot& foot, const Vec3d& normal, const Vec3d& y, const Vec3d& v, double lowest) {
+    const double f = lowest - norm(support(normal));
+    if (!(f > best_)) return;
+    best_ = f;
+    n_ = normal;
+    on_a_ = e_.rotation * foot.foot;
+    on_b_ = v;
+    excess_ = foot.residual * norm(y);
+  }
+
+  // The sides' normals hold the maximum where they bound a vertex cone; inside the cone it is the normal of a foot.
+  void all_vertices() {
+    for (std::uint32_t i = 0; i < p_.size(); ++i) {
+      const Vec3d v = p_.vertex(i), y = transposed_times(e_.rotation, v);
+      EllipsoidFoot feet[2] = {nearest_on_ellipsoid(e_.semi_axes, y), {}};
+      const int count = second_foot(e_.semi_axes, y, feet[1]) ? 2 : 1;
+      for (int k = 0; k < count; ++k) {
+        const Vec3d normal = e_.rotation * feet[k].normal;
+        double lowest = infinity;
+        for (std::uint32_t j = 0; j < p_.size(); ++j) lowest = std::min(lowest, dot_xy(normal, p_.vertex(j)));
+        try_foot(feet[k], normal, y, v, lowest);
       }
-    const Vec3d &va = a.vertex(ia), &vb = b.vertex(ib);
-    if (Vec3d towards; length_and_direction(vb - va, towards) > 0 && towards.z == 0) {
-      const double f = b.lowest(towards, index) + a.lowest(-towards, index);
-      if (f > best) best = f, n = towards, on_a = va, on_b = vb;
     }
   }
-  if (!(std::abs(best) <= 8)) return refused();
-  Contact c = answer(best, 0, size, n, on_a, on_b);
-  if (!options.patch || !(best < 0)) return c;
-  Corners buffer[2], *region = buffer, *other = buffer + 1;
-  for (const Outline::Side& side : a.sides) region->push_back({side.vertex, 0});
-  for (const Outline::Side& side : b.sides) {
-    cut(*region, side.normal, side.height, 0, *other);
-    std::swap(region, other);
-  }
-  AreaMoments moments;
-  moments.add(*region);
-  moments.patch(n, c.patch);
-  return c;
+
+  const Placed<shapes::Ellipsoid> e_;
+  const Loop& p_;
+  double size_, least_, least_curvature_radius_;
+  double best_ = -infinity, excess_ = 0;
+  Vec3d n_{}, on_a_{}, on_b_{};
+};
+
+}  // namespace
+
+Contact ellipse_loop(const Placed<shapes::Ellipse>& a, const Loop& b, double size) {
+  return EllipseLoop(a, b, size).solve();
 }
 
 }  // namespace contact

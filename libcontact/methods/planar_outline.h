@@ -21,35 +21,41 @@ inline Placement placement(const Placed<shapes::Polygon>& p, double down, const 
   return {p.scale * down, p.cosine, p.sine, at};
 }
 
-struct Outline {
-  struct Side {
-    Vec3d vertex, normal;  // side i runs from vertex i to vertex i + 1
-    double height;         // normal·x on it
-  };
-  ShortList<Side, 16> sides;
+// Of vectors of the plane.
+inline double dot_xy(const Vec3d& a, const Vec3d& b) { return a.x * b.x + a.y * b.y; }
 
-  Outline(std::span<const Vec3d> vertices, std::span<const Vec3d> normals, std::span<const double> offsets,
-          const Placement& place) {
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      const Vec3d n = place.direction(normals[i]);
-      sides.push_back({place.point(vertices[i]), n, place.scale * offsets[i] + dot(n, place.at)});
-    }
+struct Loop {
+  std::span<const Vec3d> vertices, normals;  // side i runs from vertex i to the next; in the loop's own frame
+  std::span<const double> offsets;
+  double core;  // > 0: radius of a circle inside the loop about its origin
+  Placement place;
+
+  Loop(const shapes::Polygon& p, const Placement& at)
+      : vertices(p.vertices), normals(p.normals), offsets(p.offsets), core(p.inscribed_radius), place(at) {}
+  Loop(const shapes::Polygon::Part& p, const Placement& at)
+      : vertices(p.vertices), normals(p.normals), offsets(p.offsets), core(0), place(at) {}
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(vertices.size()); }
+  std::uint32_t next(std::uint32_t i) const { return i + 1 == size() ? 0 : i + 1; }
+  std::uint32_t before(std::uint32_t i) const { return (i == 0 ? size() : i) - 1; }
+  // As placed.
+  Vec3d vertex(std::uint32_t i) const { return place.point(vertices[i]); }
+  Vec3d normal(std::uint32_t i) const { return place.direction(normals[i]); }
+  double height(std::uint32_t i, const Vec3d& normal) const {  // normal·x on side i
+    return place.scale * offsets[i] + dot_xy(normal, place.at);
   }
-  Outline(const shapes::Polygon& p, const Placement& place) : Outline(p.vertices, p.normals, p.offsets, place) {}
-  Outline(const shapes::Polygon::Part& p, const Placement& place) : Outline(p.vertices, p.normals, p.offsets, place) {}
-
-  std::size_t size() const { return sides.size(); }
-  std::size_t next(std::size_t i) const { return i + 1 == sides.size() ? 0 : i + 1; }
-  const Vec3d& vertex(std::size_t i) const { return sides[i].vertex; }
-  const Vec3d& normal(std::size_t i) const { return sides[i].normal; }
-  double height(std::size_t i) const { return sides[i].height; }
-  double lowest(const Vec3d& n, std::size_t& index) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < sides.size(); ++i)
-      if (const double h = dot(n, sides[i].vertex); h < least) least = h, index = i;
-    return least;
+  Vec3d in_frame(const Vec3d& direction) const {  // its own frame
+    return {place.cosine * direction.x + place.sine * direction.y,
+            place.cosine * direction.y - place.sine * direction.x, 0};
   }
 };
+
+// The vertex of a convex loop that is lowest along m, of the loop's own frame, by a walk from `vertex`.
+struct Lowest {
+  std::uint32_t vertex;
+  double value, rise;  // its height along m; how much higher its neighbours are, at least
+};
+Lowest lowest_from(std::span<const Vec3d> loop, const Vec3d& m, std::uint32_t vertex);
 
 // Half the width of an answer's bounds, per size.
 inline constexpr double planar_half_width = 32 * epsilon;
@@ -78,8 +84,7 @@ class AreaMoments {
 };
 
 // Answers about convex loops, in units; size: the extent of the pair. Out of range, the status is refused.
-Contact disc_outline(double radius, const Outline& b, double size);
-Contact ellipse_outline(const Placed<shapes::Ellipse>& a, const Outline& b, double size);
-Contact outline_pair(const Outline& a, const Outline& b, double size, const Options& options);
+Contact disc_loop(double radius, const Loop& b, double size);
+Contact ellipse_loop(const Placed<shapes::Ellipse>& a, const Loop& b, double size);
 
 }  // namespace contact

@@ -25,7 +25,7 @@ struct DiscView {
   double radius;
   // Where the disc is the unit disc.
   Vec3d round(const Vec3d& x) const { return x * (1 / radius); }
-  Contact against(const Outline& o, double size) const { return disc_outline(radius, o, size); }
+  Contact against(const Loop& o, double size) const { return disc_loop(radius, o, size); }
   Witness edge(const Vec3d& out, double height) const { return {-height - radius, -out, -radius * out, height * out}; }
   template <class Accept>
   void corner(const Vec3d& v, Accept&& accept) const {
@@ -44,7 +44,7 @@ struct EllipseView {
     const Vec3d y = transposed_times(e.rotation, x);
     return {y.x / e.semi_axes.x, y.y / e.semi_axes.y, 0};
   }
-  Contact against(const Outline& o, double size) const { return ellipse_outline(ellipse, o, size); }
+  Contact against(const Loop& o, double size) const { return ellipse_loop(ellipse, o, size); }
   Witness edge(const Vec3d& out, double height) const {
     const Vec3d u = support(-out);
     const double reach = norm(u), gap = -height - reach;
@@ -74,7 +74,7 @@ class SmoothPair {
     Groups groups;
     for (std::uint32_t i = 0; i < b_.count(); ++i) {
       const bool met =
-          b_.near(i, {}, reach, planar_half_width * size_) && a_.against(Outline(b_.part(i), b_.place), size_).gap < 0;
+          b_.near(i, {}, reach, planar_half_width * size_) && a_.against(Loop(b_.part(i), b_.place), size_).gap < 0;
       touched_.push_back(met ? 1 : 0);
       groups.add();
     }
