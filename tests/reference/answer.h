@@ -3,7 +3,7 @@
 // Where it comes from: every direction is searched in double with a bound (directions.h); what can be best is then
 // settled in 50 digits. Corners against corners: all face normals and edge pairs that the search leaves, and the
 // nearest points of all their features. Else Newton's method on the sphere, on the arc about each edge and in the
-// plane.
+// plane: uphill in double first, and on in 50 digits only where double cannot tell that another direction is better.
 //
 //   lower = n·d − h_A(n) − h_B(−n)  for the n found: true whatever the way there                                (1)
 //   residual r = distance of (lower n) from the set of differences of support points at n                       (2)
@@ -11,7 +11,7 @@
 //          else lower + r²/(2(ρ + lower)), ρ the sum of the least radii of curvature, where ρ + lower > 0       (3)
 //          else the bound of the search over all directions; then `matched` is false                            (4)
 //
-// (4) is up to 1e-5 L wide where many directions are nearly as good. Cost: 0.2 to 20 ms. Tests:
+// (4) is up to 1e-5 L wide where many directions are nearly as good. Cost: 0.2 to 100 ms, 1 s where many directions of many faces are nearly as good. Tests:
 // tests/reference/reference.cpp.
 #pragma once
 

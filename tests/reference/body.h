@@ -29,6 +29,10 @@ struct Body {
   double circumradius() const { return contact::circumradius({kind, 0, geometry, size}); }
 };
 
+template <class T>
+Vec3d rounded(const shapes::Vec3<T>& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
 inline Vector exact(const Vec3d& v) { return {Real(v.x), Real(v.y), Real(v.z)}; }
 
 // Kinds that the reference answers: convex bodies and half-spaces.

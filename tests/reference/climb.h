@@ -1,4 +1,5 @@
-// Newton's method for the greatest support separation, in 50 digits: on the sphere, or on the circle about an axis.
+// Newton's method for the greatest support separation, in double or 50 digits: on the sphere, or on the circle about an
+// axis.
 #pragma once
 
 #include "tests/reference/core.h"
@@ -6,12 +7,15 @@
 namespace reference {
 
 // A core, or one of its corners alone.
+template <class T>
 struct Piece {
-  const Core<Real>* core;
-  const Vector* corner = nullptr;
+  const Core<T>* core;
+  const shapes::Vec3<T>* corner = nullptr;
 };
 
 // From n uphill to a stationary point of n·d − h_A(n) − h_B(−n), cores alone; `axis` not null: n stays across it.
-Vector climb(const Piece& a, const Piece& b, const Vector& d, Vector n, const Vector* axis);
+template <class T>
+shapes::Vec3<T> climb(const Piece<T>& a, const Piece<T>& b, const shapes::Vec3<T>& d, shapes::Vec3<T> n,
+                      const shapes::Vec3<T>* axis);
 
 }  // namespace reference

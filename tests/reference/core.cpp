@@ -1,6 +1,8 @@
 #include "tests/reference/core.h"
 
 #include <algorithm>
+#include <cmath>
+#include <type_traits>
 
 #include "shapes/polygon.h"
 
@@ -76,6 +78,7 @@ Core<T>::Core(const Body& body, double unit) {
       ball = size.x;
       corners.push_back({});
   }
+  for (const auto& c : corners) rounded_corners.push_back(rounded(c));
 }
 
 template <class T>
@@ -89,11 +92,20 @@ shapes::Vec3<T> Core<T>::support(const shapes::Vec3<T>& n) const {
     const auto s = shapes::support_from_centre<T>(*potential, m);
     return scale * (turn * (s.from_centre + widened<T>(potential->centre)));
   }
-  std::size_t best = 0;
-  T height = dot(n, corners[0]);
-  for (std::size_t i = 1; i < corners.size(); ++i) {
+  std::size_t best = corners.size();
+  T height{};
+  const auto higher = [&](std::size_t i) {
     const T h = dot(n, corners[i]);
-    if (h > height) height = h, best = i;
+    if (best == corners.size() || h > height) height = h, best = i;
+  };
+  if constexpr (std::is_same_v<T, double>) {
+    for (std::size_t i = 0; i < corners.size(); ++i) higher(i);
+  } else {
+    const Vec3d m = rounded(n);
+    double most = -HUGE_VAL, size = 0;
+    for (const Vec3d& c : rounded_corners) most = std::max(most, dot(m, c)), size = std::max(size, max_abs(c));
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      if (dot(m, rounded_corners[i]) >= most - 1e-12 * size * max_abs(m)) higher(i);
   }
   return corners[best];
 }

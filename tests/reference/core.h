@@ -20,6 +20,7 @@ struct Core {
   T ball{};                              // radius of the ball
   T least_radius{};                      // the core itself is a convex body plus a ball of this radius
   std::vector<shapes::Vec3<T>> corners;  // world axes, from the body's origin
+  std::vector<Vec3d> rounded_corners;    // the same in double: what cannot support is told by them
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   std::vector<std::vector<std::uint32_t>> loops;  // faces; of a polygon its edges
   std::vector<shapes::Vec3<T>> normals;           // of the loops, as stored

@@ -68,12 +68,8 @@ std::vector<Vector> face_normals(const Core<Real>& core, std::uint32_t loop) {
   return normals;
 }
 
-std::vector<Vector> axes_between(const Core<Real>& a, const Core<Real>& b, const Active& fa, const Active& fb) {
+std::vector<Vector> edge_axes(const Core<Real>& a, const Core<Real>& b, const Active& fa, const Active& fb) {
   std::vector<Vector> axes;
-  for (const auto i : fa.loops)
-    for (const Vector& n : face_normals(a, i)) axes.push_back(n);
-  for (const auto i : fb.loops)
-    for (const Vector& n : face_normals(b, i)) axes.push_back(-n);
   if (a.planar) return axes;
   for (const auto i : fa.edges)
     for (const auto j : fb.edges) {

@@ -16,8 +16,8 @@ Active active(const Core<double>& core, const std::vector<Cell>& cells, double s
 // Normals of a face, outward: as stored, and through three corners.
 std::vector<Vector> face_normals(const Core<Real>& core, std::uint32_t loop);
 
-// Every axis of the active features, A to B.
-std::vector<Vector> axes_between(const Core<Real>& a, const Core<Real>& b, const Active& fa, const Active& fb);
+// Every axis across two active edges, both ways.
+std::vector<Vector> edge_axes(const Core<Real>& a, const Core<Real>& b, const Active& fa, const Active& fb);
 
 // Shortest vector from a point of A to a point of B among the active features; B is displaced by d.
 Vector shortest(const Core<Real>& a, const Core<Real>& b, const Vector& d, const Active& fa, const Active& fb);

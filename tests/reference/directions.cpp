@@ -75,7 +75,8 @@ Directions search(bool planar, double tolerance, const std::function<Vec3d(const
     add(a, ab, ca), add(b, bc, ab), add(c, ca, bc), add(ab, bc, ca);
   }
   Directions found{{}, {}, best, std::max(best, queue.top().bound)};
-  for (; !queue.empty() && queue.top().bound >= best; queue.pop()) found.cells.push_back(queue.top().cell);
+  const double rounding = 1e-14;  // of values and bounds, in units of the extent
+  for (; !queue.empty() && queue.top().bound >= best - rounding; queue.pop()) found.cells.push_back(queue.top().cell);
   std::sort(known.begin(), known.end(), [](const Corner& a, const Corner& b) { return a.f() > b.f(); });
   for (const Corner& k : known) {
     if (found.starts.size() >= 8 || k.f() < best - 1e3 * std::max(tolerance, found.bound - best)) break;

@@ -25,7 +25,7 @@ TEST_P(Listed, answers_contain_the_reference) {
   const MethodInfo& m = GetParam();
   Source draw(100 + 16 * static_cast<unsigned>(m.a) + static_cast<unsigned>(m.b));
   int overlapping = 0, matched = 0;
-  constexpr int pairs = 60;
+  constexpr int pairs = 300;
   for (int i = 0; i < pairs; ++i) {
     SCOPED_TRACE("pair " + std::to_string(i));
     const Body a = sample(m.a, draw), b = sample(m.b, draw);
