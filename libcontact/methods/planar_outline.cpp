@@ -23,9 +23,9 @@ Contact answer(double gap, double excess, double size, const Vec3d& n, const Vec
 void cut(const Corners& in, const Vec3d& n, double height, std::uint32_t side, Corners& out) {
   out.clear();
   if (in.size() == 0) return;
-  Corner p = in[in.size() - 1];
+  LoopCorner p = in[in.size() - 1];
   double hp = dot(n, p.x) - height;
-  for (const Corner& q : in) {
+  for (const LoopCorner& q : in) {
     const double hq = dot(n, q.x) - height;
     const auto crossing = [&] { return p.x + (hp / (hp - hq)) * (q.x - p.x); };
     if (hp < 0) {

@@ -61,11 +61,11 @@ Lowest lowest_from(std::span<const Vec3d> loop, const Vec3d& m, std::uint32_t ve
 inline constexpr double planar_half_width = 32 * epsilon;
 
 // A convex loop's corner or crossing point and the side that begins there.
-struct Corner {
+struct LoopCorner {
   Vec3d x;
   std::uint32_t side;
 };
-using Corners = ShortList<Corner, 16>;
+using Corners = ShortList<LoopCorner, 16>;
 
 // The part of a convex loop with n·x <= height, into `out`; the side that this adds is called `side`.
 void cut(const Corners& in, const Vec3d& n, double height, std::uint32_t side, Corners& out);

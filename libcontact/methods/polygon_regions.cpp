@@ -61,7 +61,7 @@ class PolygonPair {
       if (region->size() < 3) return;
     }
     const auto first = static_cast<std::uint32_t>(corners_.size());
-    for (const Corner& c : *region) corners_.push_back(c);
+    for (const LoopCorner& c : *region) corners_.push_back(c);
     pieces_.push_back({i, j, first, static_cast<std::uint32_t>(region->size())});
     groups_.add();
   }
@@ -133,7 +133,7 @@ class PolygonPair {
     for_each_piece([&](const Piece& p) {
       Corners region;
       for (std::uint32_t k = 0; k < p.count; ++k) {
-        const Corner &c = corners_[p.first + k], &next = corners_[p.first + (k + 1 == p.count ? 0 : k + 1)];
+        const LoopCorner &c = corners_[p.first + k], &next = corners_[p.first + (k + 1 == p.count ? 0 : k + 1)];
         region.push_back(c);
         if (c.side != no_edge && !(c.x == next.x)) consider(c.side);
       }
@@ -150,7 +150,7 @@ class PolygonPair {
   const PartsView &a_, &b_;
   double size_;
   ShortList<Piece, 16> pieces_;
-  ShortList<Corner, 64> corners_;
+  ShortList<LoopCorner, 64> corners_;
   Groups groups_;
   Marks blocked_a_, blocked_b_;
 };
