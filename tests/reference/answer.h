@@ -11,8 +11,8 @@
 //          else lower + r²/(2(ρ + lower)), ρ the sum of the least radii of curvature, where ρ + lower > 0       (3)
 //          else the bound of the search over all directions; then `matched` is false                            (4)
 //
-// (4) is up to 1e-5 L wide where many directions are nearly as good. Cost: 0.2 to 100 ms, 1 s where many directions of many faces are nearly as good. Tests:
-// tests/reference/reference.cpp.
+// (4) is up to 1e-5 L wide where many directions are nearly as good. Cost: 0.2 to 100 ms, 1 s where many directions of
+// many faces are nearly as good. Tests: tests/reference/reference.cpp.
 #pragma once
 
 #include "tests/reference/body.h"
