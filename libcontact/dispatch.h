@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "libcontact/contact.h"
+#include "libcontact/export.h"
 
 namespace contact {
 
@@ -22,7 +23,7 @@ struct Body {
 };
 
 // Radius of a ball about the body's origin that holds it, m; 0 of planes and lines, which none holds.
-double circumradius(const Body& b);
+CONTACT_API double circumradius(const Body& b);
 
 template <class S>
 Placed<S> placed(const Body& b) {
@@ -58,14 +59,14 @@ struct MethodInfo {
 };
 
 // The table, by (a, b) and cost rank; and its end.
-const MethodInfo* methods_begin();
-const MethodInfo* methods_end();
+CONTACT_API const MethodInfo* methods_begin();
+CONTACT_API const MethodInfo* methods_end();
 
 // Null when no such method answers this pair. Needs a <= b in kind order. "auto": the cheapest certified method.
-ChunkQuery find(shapes::Kind a, shapes::Kind b, std::string_view method = "auto");
+CONTACT_API ChunkQuery find(shapes::Kind a, shapes::Kind b, std::string_view method = "auto");
 
 // One pair in any order; normal points from a to b; vectors relative to a's origin. Status refused for an unknown pair.
-Contact query(const Body& a, const Body& b, const Vec3d& offset, const Options& options = {},
-              std::string_view method = "auto");
+CONTACT_API Contact query(const Body& a, const Body& b, const Vec3d& offset, const Options& options = {},
+                          std::string_view method = "auto");
 
 }  // namespace contact

@@ -10,13 +10,14 @@
 #include <memory>
 #include <vector>
 
+#include "shapes/export.h"
 #include "shapes/mass.h"
 #include "shapes/math/quat.h"
 #include "shapes/polyhedron.h"
 
 namespace shapes {
 
-struct Compound {
+struct SHAPES_API Compound {
   static constexpr const char* name = "compound";
 
   enum class PartKind : std::uint8_t { sphere, ellipsoid, polyhedron };
@@ -53,9 +54,9 @@ struct Compound {
 
 // Distance of a point of the body frame from a part, negative inside. Exact for spheres and inside polyhedra; outside a
 // polyhedron a lower bound; of ellipsoids to first order at the surface.
-double distance(const Compound::Part& part, const Vec3d& x);
+SHAPES_API double distance(const Compound::Part& part, const Vec3d& x);
 // max of n·x over the intersection of two parts; n unit, body frame. Exact, but for joints of unlike parts, whose
 // curved sides are sampled (0.3 % of their size).
-double extent(const Compound& body, const Compound::Joint& joint, const Vec3d& n);
+SHAPES_API double extent(const Compound& body, const Compound::Joint& joint, const Vec3d& n);
 
 }  // namespace shapes

@@ -17,6 +17,7 @@
 
 #include "shapes/compound.h"
 #include "shapes/ellipsoid.h"
+#include "shapes/export.h"
 #include "shapes/sphere.h"
 
 namespace shapes {
@@ -28,6 +29,6 @@ struct CompoundPart {
 
 // Throws shapes::Error for no parts and for a part that is not finite. Parts need not hang together. A result of one
 // part is that sphere, ellipsoid or polyhedron in its own frame: centre 0, no rotation.
-Compound make_compound(std::span<const CompoundPart> parts);
+SHAPES_API Compound make_compound(std::span<const CompoundPart> parts);
 
 }  // namespace shapes

@@ -8,11 +8,12 @@
 // for 20 vertices. Tests: tests/shapes/form.cpp.
 #pragma once
 
+#include "shapes/export.h"
 #include "shapes/polyhedron.h"
 
 namespace shapes {
 
-struct Form {
+struct SHAPES_API Form {
   double length = 0, width = 0, thickness = 0;  // m
   Vec3d along{}, across{}, through{};           // unit: e, f, g
   double area = 0, volume = 0;                  // m², m³
@@ -20,6 +21,6 @@ struct Form {
   double sphericity() const;                    // its root; error 2 ulp
 };
 
-Form form_of(const Polyhedron& p);
+SHAPES_API Form form_of(const Polyhedron& p);
 
 }  // namespace shapes

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "shapes/ellipsoid.h"
+#include "shapes/export.h"
 #include "shapes/mass.h"
 #include "shapes/polyhedron.h"
 #include "shapes/potential_particle.h"
@@ -14,29 +15,29 @@
 namespace shapes {
 
 // V = 4/3 π abc;  I = V/5 diag(b² + c², c² + a², a² + b²)   [m³, m⁵]
-MassProperties mass_properties(const Sphere& s);
-MassProperties mass_properties(const Ellipsoid& e);
-MassProperties mass_properties(const Polyhedron& p);
-MassProperties mass_properties(const RoundedPolyhedron& body);
-MassProperties mass_properties(const PotentialParticle& p);  // to 1e-8, found when it was built
+SHAPES_API MassProperties mass_properties(const Sphere& s);
+SHAPES_API MassProperties mass_properties(const Ellipsoid& e);
+SHAPES_API MassProperties mass_properties(const Polyhedron& p);
+SHAPES_API MassProperties mass_properties(const RoundedPolyhedron& body);
+SHAPES_API MassProperties mass_properties(const PotentialParticle& p);  // to 1e-8, found when it was built
 
 // Radius of the smallest sphere about the body's origin that holds the body, m.
-double circumradius(const Sphere& s);
-double circumradius(const Ellipsoid& e);
-double circumradius(const Polyhedron& p);
-double circumradius(const RoundedPolyhedron& body);
-double circumradius(const PotentialParticle& p);  // at most 0.1 % larger
+SHAPES_API double circumradius(const Sphere& s);
+SHAPES_API double circumradius(const Ellipsoid& e);
+SHAPES_API double circumradius(const Polyhedron& p);
+SHAPES_API double circumradius(const RoundedPolyhedron& body);
+SHAPES_API double circumradius(const PotentialParticle& p);  // at most 0.1 % larger
 
 // Radius of the largest sphere about the body's origin that the body holds, m (not positive when the origin is
 // outside).
-double inscribed_radius(const Sphere& s);
-double inscribed_radius(const Ellipsoid& e);
-double inscribed_radius(const Polyhedron& p);
-double inscribed_radius(const RoundedPolyhedron& body);
-double inscribed_radius(const PotentialParticle& p);
+SHAPES_API double inscribed_radius(const Sphere& s);
+SHAPES_API double inscribed_radius(const Ellipsoid& e);
+SHAPES_API double inscribed_radius(const Polyhedron& p);
+SHAPES_API double inscribed_radius(const RoundedPolyhedron& body);
+SHAPES_API double inscribed_radius(const PotentialParticle& p);
 
 // Radius of the sphere of the same volume, r = (3V/4π)^(1/3), m; volume >= 0. Error 2 ulp.
-double equivalent_radius(double volume);
+SHAPES_API double equivalent_radius(double volume);
 
 // Vertex farthest along n, which need not be unit; the lowest index of those that tie. Cost: one product per vertex.
 inline Vec3d support(const Polyhedron& p, const Vec3d& n) {
@@ -51,7 +52,7 @@ inline Vec3d support(const Polyhedron& p, const Vec3d& n) {
   }
   return p.vertices[best];
 }
-Vec3d support(const RoundedPolyhedron& body, const Vec3d& n);
-Vec3d support(const PotentialParticle& p, const Vec3d& n);
+SHAPES_API Vec3d support(const RoundedPolyhedron& body, const Vec3d& n);
+SHAPES_API Vec3d support(const PotentialParticle& p, const Vec3d& n);
 
 }  // namespace shapes

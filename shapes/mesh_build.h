@@ -13,6 +13,7 @@
 #include <span>
 #include <string>
 
+#include "shapes/export.h"
 #include "shapes/mesh.h"
 #include "shapes/polyhedron_build.h"
 
@@ -20,9 +21,9 @@ namespace shapes {
 
 // vertices and triangles as given (indices three per triangle). Refused: NaN, an index out of range, a triangle without
 // area (height below 1e-12 of the size), an edge shared by more than two triangles.
-Mesh mesh_from_triangles(std::span<const Vec3d> vertices, std::span<const std::uint32_t> triangles);
+SHAPES_API Mesh mesh_from_triangles(std::span<const Vec3d> vertices, std::span<const std::uint32_t> triangles);
 // Polygons must be convex; coordinates are multiplied by scale (m per file unit). Also refused: what read_surface
 // refuses.
-Mesh mesh_from_file(const std::string& path, double scale = 1.0);
+SHAPES_API Mesh mesh_from_file(const std::string& path, double scale = 1.0);
 
 }  // namespace shapes

@@ -9,12 +9,13 @@
 
 #include <cstdint>
 
+#include "shapes/export.h"
 #include "shapes/mesh.h"
 
 namespace shapes {
 
 // The parallelogram corner, corner + side_1, corner + side_1 + side_2, corner + side_2 (m): one facet.
-Mesh make_panel(const Vec3d& corner, const Vec3d& side_1, const Vec3d& side_2);
+SHAPES_API Mesh make_panel(const Vec3d& corner, const Vec3d& side_1, const Vec3d& side_2);
 
 // Faces of a box by the direction in which they lie.
 struct BoxFaces {
@@ -22,28 +23,28 @@ struct BoxFaces {
   bool high[3] = {true, true, true};  // at upper.x, upper.y, upper.z
 };
 // The faces of the box lower … upper (m) that are asked for, at least one.
-Mesh make_box_shell(const Vec3d& lower, const Vec3d& upper, const BoxFaces& faces);
+SHAPES_API Mesh make_box_shell(const Vec3d& lower, const Vec3d& upper, const BoxFaces& faces);
 
 // The side of a truncated cone about the axis base → top (centres of its ends, m) with `segments` flat facets, and its
 // end discs where asked for. One radius may be 0: a cone; both the same: a tube.
-Mesh make_frustum(const Vec3d& base, const Vec3d& top, double base_radius, double top_radius, std::uint32_t segments,
-                  bool base_closed, bool top_closed);
+SHAPES_API Mesh make_frustum(const Vec3d& base, const Vec3d& top, double base_radius, double top_radius,
+                             std::uint32_t segments, bool base_closed, bool top_closed);
 
 // A box-shaped cavity lower … upper (m), open at upper.z, in a table of width `flange` about it at that height; with or
 // without its bottom (a punch may take its place).
-Mesh make_die(const Vec3d& lower, const Vec3d& upper, double flange, bool bottom_closed);
+SHAPES_API Mesh make_die(const Vec3d& lower, const Vec3d& upper, double flange, bool bottom_closed);
 
 // The shell of a V-mixer: two round arms of `radius`, whose axes start at `centre` and run in the x–z plane at
 // ± angle / 2 (rad) from z over `length` (m), joined in the plane x = centre.x; ends closed or open.
 // Needs length > radius / tan(angle / 2): the arms must reach beyond their joint.
-Mesh make_v_shell(const Vec3d& centre, double angle, double radius, double length, std::uint32_t segments,
-                  bool ends_closed);
+SHAPES_API Mesh make_v_shell(const Vec3d& centre, double angle, double radius, double length, std::uint32_t segments,
+                             bool ends_closed);
 
 // Area of a facet, m²; and of the whole surface as seen along the unit vector `axis`: sum of area · |normal · axis|,
 // halved when the mesh is closed (front and back).
-double facet_area(const Mesh& mesh, std::uint32_t facet);
-double projected_area(const Mesh& mesh, const Vec3d& axis);
+SHAPES_API double facet_area(const Mesh& mesh, std::uint32_t facet);
+SHAPES_API double projected_area(const Mesh& mesh, const Vec3d& axis);
 // Whether every edge has two facets.
-bool is_closed(const Mesh& mesh);
+SHAPES_API bool is_closed(const Mesh& mesh);
 
 }  // namespace shapes

@@ -18,10 +18,11 @@
 
 #include <span>
 
+#include "shapes/export.h"
 #include "shapes/polygon.h"
 
 namespace shapes {
 
-Polygon band_along(std::span<const Vec3d> chain, double depth, bool closed);
+SHAPES_API Polygon band_along(std::span<const Vec3d> chain, double depth, bool closed);
 
 }  // namespace shapes

@@ -8,24 +8,25 @@
 #include <span>
 #include <vector>
 
+#include "shapes/export.h"
 #include "shapes/polygon.h"
 
 namespace shapes {
 
 // Outline in either sense, z ignored; refused when it crosses or touches itself, or encloses no area.
-Polygon polygon_from_outline(std::span<const Vec3d> outline);
+SHAPES_API Polygon polygon_from_outline(std::span<const Vec3d> outline);
 // One outline from simple polygons in either sense, in any order, that cover a region without overlap, corner on edge
 // allowed; refused when they overlap, are apart, meet only in a point or enclose a hole. Corners within 1e-12 of the
 // largest coordinate are one: the first in order of (x, y).
-Polygon polygon_from_pieces(std::span<const std::vector<Vec3d>> pieces);
+SHAPES_API Polygon polygon_from_pieces(std::span<const std::vector<Vec3d>> pieces);
 // Convex hull.
-Polygon polygon_hull(std::span<const Vec3d> points);
+SHAPES_API Polygon polygon_hull(std::span<const Vec3d> points);
 // Equal sides, first corner on +x.
-Polygon make_regular_polygon(int sides, double circumradius);
+SHAPES_API Polygon make_regular_polygon(int sides, double circumradius);
 
 // The same polygon about its centroid; unchanged when that is at the origin to round-off.
-Polygon centred(const Polygon& p);
+SHAPES_API Polygon centred(const Polygon& p);
 
-double perimeter(const Polygon& p);  // m
+SHAPES_API double perimeter(const Polygon& p);  // m
 
 }  // namespace shapes

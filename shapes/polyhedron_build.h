@@ -15,11 +15,12 @@
 #include <string>
 #include <vector>
 
+#include "shapes/export.h"
 #include "shapes/polyhedron.h"
 
 namespace shapes {
 
-struct Error : std::runtime_error {
+struct SHAPES_API Error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
@@ -31,21 +32,21 @@ struct HalfSpace {
 // Convex hull of points, by Qhull: n >= 4, not coplanar. Points nearer than 64 eps of the largest coordinate are one,
 // and neighbouring faces are one when all their vertices are that near to the plane of the larger face
 // (shapes/convex.h).
-Polyhedron polyhedron_from_points(std::span<const Vec3d> points, Frame frame);
+SHAPES_API Polyhedron polyhedron_from_points(std::span<const Vec3d> points, Frame frame);
 // Intersection of half-spaces, any order, redundant ones allowed; refused when empty or unbounded. Vertices are
 // numbered in lexicographic order of their coordinates; each is where its three most independent planes meet.
-Polyhedron polyhedron_from_half_spaces(std::span<const HalfSpace> planes, Frame frame);
+SHAPES_API Polyhedron polyhedron_from_half_spaces(std::span<const HalfSpace> planes, Frame frame);
 // OFF, OBJ or STL file (shapes/surface_file.h); the surface must be closed, oriented alike and convex, otherwise it is
 // refused by edge or face. Convex: no face lies inside the hull of the vertices by more than 1e-9 of the size, or by
 // more than one unit of the last decimal printed where that is coarser (but never more than 1e-5 of the size). The body
 // is the exact hull.
-Polyhedron polyhedron_from_file(const std::string& path, Frame frame);
+SHAPES_API Polyhedron polyhedron_from_file(const std::string& path, Frame frame);
 
-Polyhedron make_box(const Vec3d& size);                                // full extents; frame identity
-Polyhedron make_prism(int sides, double circumradius, double height);  // axis z, first corner on +x
+SHAPES_API Polyhedron make_box(const Vec3d& size);                                // full extents; frame identity
+SHAPES_API Polyhedron make_prism(int sides, double circumradius, double height);  // axis z, first corner on +x
 enum class Platonic { tetrahedron, cube, octahedron, dodecahedron, icosahedron };
-Polyhedron make_platonic(Platonic solid, double circumradius);
+SHAPES_API Polyhedron make_platonic(Platonic solid, double circumradius);
 // The same polyhedron with every length multiplied by s > 0.
-Polyhedron scaled(const Polyhedron& p, double s);
+SHAPES_API Polyhedron scaled(const Polyhedron& p, double s);
 
 }  // namespace shapes

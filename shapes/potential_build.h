@@ -11,6 +11,7 @@
 
 #include <span>
 
+#include "shapes/export.h"
 #include "shapes/polyhedron_build.h"
 #include "shapes/potential_particle.h"
 
@@ -18,12 +19,12 @@ namespace shapes {
 
 // Planes normal·x <= offset about the origin, which is the centre of (1); normals need not be unit.
 // `tolerance`: of the mass properties, relative, in place of 1e-8.
-PotentialParticle make_potential_particle(std::span<const HalfSpace> planes, double k, double r, double R, Frame frame,
-                                          double tolerance = 1e-8);
+SHAPES_API PotentialParticle make_potential_particle(std::span<const HalfSpace> planes, double k, double r, double R,
+                                                     Frame frame, double tolerance = 1e-8);
 // The same body with every length multiplied by s > 0.
-PotentialParticle scaled(const PotentialParticle& p, double s);
+SHAPES_API PotentialParticle scaled(const PotentialParticle& p, double s);
 // A polyhedron inscribed in the body, for drawings only: the hull of its support points along about 400 directions.
-Polyhedron drawing_of(const PotentialParticle& body);
+SHAPES_API Polyhedron drawing_of(const PotentialParticle& body);
 
 namespace potential {
 // Mass properties in the body frame by quadrature to `tolerance` (relative); `error`: its own estimate, relative.

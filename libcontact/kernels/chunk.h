@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "libcontact/export.h"
 #include "libcontact/kernels/lattice.h"
 #include "libcontact/kernels/records.h"
 
@@ -94,8 +95,8 @@ struct KernelSet {
 
 // The best set this processor runs; the environment variable DEM_SIMD (sse2 | avx2 | avx512) asks for another. Every
 // set gives the same bits. Chosen once.
-const KernelSet& kernels();
+CONTACT_API const KernelSet& kernels();
 // Every set that this processor runs, narrowest first.
-std::span<const KernelSet* const> kernel_sets();
+CONTACT_API std::span<const KernelSet* const> kernel_sets();
 
 }  // namespace contact::kernels

@@ -13,10 +13,11 @@
 #pragma once
 
 #include "libcontact/contact.h"
+#include "libcontact/export.h"
 
 namespace contact {
 
-struct Analytic {
+struct CONTACT_API Analytic {
   static constexpr const char* name = "analytic";
   static constexpr int cost_rank = 0;
   static constexpr const char* remark = "closed form; sphere–ellipsoid by one scalar equation";

@@ -20,10 +20,11 @@
 #pragma once
 
 #include "libcontact/contact.h"
+#include "libcontact/export.h"
 
 namespace contact {
 
-struct Features {
+struct CONTACT_API Features {
   static constexpr const char* name = "features";
   static constexpr int cost_rank = 10;
   static constexpr const char* remark =

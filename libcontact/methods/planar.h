@@ -19,10 +19,11 @@
 #pragma once
 
 #include "libcontact/contact.h"
+#include "libcontact/export.h"
 
 namespace contact {
 
-struct Planar {
+struct CONTACT_API Planar {
   static constexpr const char* name = "planar";
   static constexpr int cost_rank = 0;
   static constexpr const char* remark = "plane bodies: closed forms, edge axes and vertices, one-angle Newton";

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "libcontact/export.h"
 #include "shapes/polyhedron.h"
 
 namespace contact {
@@ -20,7 +21,7 @@ struct SurfacePoint {
 // Exact to 4 eps size, anywhere. A point nearer than that to an edge or vertex, but outside, gets the normal of a face
 // beside it. Cost: a product per face inside, or over a face; outside over an edge also one segment per edge that is in
 // sight.
-SurfacePoint surface_point(const shapes::Polyhedron& p, double scale, const shapes::Vec3d& x, double size);
+CONTACT_API SurfacePoint surface_point(const shapes::Polyhedron& p, double scale, const shapes::Vec3d& x, double size);
 
 // The face plane over which x is highest; lanes run over faces, ties go to the lowest index.
 struct FaceHeight {

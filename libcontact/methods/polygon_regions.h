@@ -22,6 +22,7 @@
 #include <cstddef>
 
 #include "libcontact/dispatch.h"
+#include "libcontact/export.h"
 
 namespace contact {
 
@@ -29,10 +30,11 @@ namespace contact {
 inline constexpr std::size_t max_regions = 8;
 
 // Whether one of the two is a polygon that is not convex: then the pair may touch in several regions.
-bool meets_in_regions(const Body& a, const Body& b);
+CONTACT_API bool meets_in_regions(const Body& a, const Body& b);
 
 // Overlapping regions of a pair in kind order, into out[0 … max_regions): their number. Polygon with disc, ellipse,
 // polygon or line. A pair out of range gives one answer, refused.
-std::size_t polygon_regions(const Body& a, const Body& b, const Vec3d& offset, const Options& options, Contact* out);
+CONTACT_API std::size_t polygon_regions(const Body& a, const Body& b, const Vec3d& offset, const Options& options,
+                                        Contact* out);
 
 }  // namespace contact

@@ -9,10 +9,11 @@
 #pragma once
 
 #include "libcontact/contact.h"
+#include "libcontact/export.h"
 
 namespace contact {
 
-struct PolyhedronPlane {
+struct CONTACT_API PolyhedronPlane {
   static constexpr const char* name = "analytic";
   static constexpr int cost_rank = 0;
   static constexpr const char* remark = "lowest vertex; patch of the part below the plane";

@@ -31,10 +31,11 @@
 #pragma once
 
 #include "libcontact/contact.h"
+#include "libcontact/export.h"
 
 namespace contact {
 
-struct Potential {
+struct CONTACT_API Potential {
   static constexpr const char* name = "potential_newton";
   static constexpr int cost_rank = 20;
   static constexpr const char* remark = "certified while the overlap is below the sum of least radii of curvature";

@@ -15,10 +15,11 @@
 #pragma once
 
 #include "libcontact/contact.h"
+#include "libcontact/export.h"
 
 namespace contact {
 
-struct Rounded {
+struct CONTACT_API Rounded {
   static constexpr const char* name = "rounded";
   static constexpr int cost_rank = 30;
   static constexpr const char* remark = "the core's query, less the rounding radii";

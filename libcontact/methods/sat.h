@@ -18,10 +18,11 @@
 #pragma once
 
 #include "libcontact/contact.h"
+#include "libcontact/export.h"
 
 namespace contact {
 
-struct Sat {
+struct CONTACT_API Sat {
   static constexpr const char* name = "sat";
   static constexpr int cost_rank = 20;
   static constexpr const char* remark = "exact least translation over all face and edge axes; exact distance";

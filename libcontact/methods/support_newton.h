@@ -26,10 +26,11 @@
 #pragma once
 
 #include "libcontact/contact.h"
+#include "libcontact/export.h"
 
 namespace contact {
 
-struct SupportNewton {
+struct CONTACT_API SupportNewton {
   static constexpr const char* name = "support_newton";
   static constexpr int cost_rank = 10;
   static constexpr const char* remark = "certified while the overlap is below the sum of least radii of curvature";

@@ -7,12 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/version.h"
 #include "libdem/io/time_series.h"
 #include "libdem/world.h"
 
 namespace dem::io {
 
-inline constexpr const char* version = "0.1.0";  // of the program, as written into records and summaries
+inline constexpr const char* version = CONTACT_VERSION;  // as written into records and summaries
 
 // final.csv: id, shape, material, x, y, z, qw, qx, qy, qz, vx, vy, vz, wx, wy, wz, and species when the scene has any;
 // 17 digits.

@@ -21,17 +21,25 @@ constexpr std::array<Collection, 4> collections{{{"grain:", "ct_hull_coarse", ".
                                                  {"solid:", "solids", ".off"},
                                                  {"ct:", "ct_dims", ".csv"}}};
 
-std::string folder_named(const char* variable, const char* standard) {
+// Named by the environment; else installed beside the program that runs; else that of the tree that was built, or,
+// where that is gone, that of the prefix it was built for.
+std::string folder_named(const char* variable, const char* tree, const char* installed) {
   const char* named = std::getenv(variable);
-  return named && *named ? named : standard;
+  if (named && *named) return named;
+  std::error_code none;
+  const fs::path program = fs::read_symlink("/proc/self/exe", none),
+                 beside = program.parent_path().parent_path() / "share/contact_mechanics" / installed;
+  if (!none && fs::is_directory(beside, none)) return beside.string();
+  if (fs::is_directory(tree, none)) return tree;
+  return (fs::path(DEM_INSTALLED_FILES) / installed).string();
 }
 
 }  // namespace
 
-std::string data_folder() { return folder_named("DEM_DATA", DEM_SOURCE_DATA_DIR); }
+std::string data_folder() { return folder_named("DEM_DATA", DEM_SOURCE_DATA_DIR, "shapes"); }
 
-std::string scenes_folder() { return folder_named("DEM_SCENES", DEM_SOURCE_SCENES_DIR); }
-std::string materials_folder() { return folder_named("DEM_MATERIALS", DEM_SOURCE_MATERIALS_DIR); }
+std::string scenes_folder() { return folder_named("DEM_SCENES", DEM_SOURCE_SCENES_DIR, "scenes"); }
+std::string materials_folder() { return folder_named("DEM_MATERIALS", DEM_SOURCE_MATERIALS_DIR, "materials"); }
 
 std::string resolve_file(const std::string& name, const std::string& base) {
   for (const auto& [prefix, folder, extension] : collections)

@@ -16,6 +16,7 @@ CLEAN = {
     "libcontact/methods/spheres.h": '#include "libcontact/contact.h"\n#include "shapes/sphere.h"\n',
     "libcontact/laws/hertz.h": '#include "libcontact/contact.h"\n#include "shapes/math/vec.h"\n',
     "libcontact/kernels/hertz.kernel.cpp": '#include "libcontact/laws/hertz.h"\n',
+    "libcontact/bindings/c/contact.h": "#include <stdint.h>\n",
     "libdem/world.h": '#include <hdf5.h>\n#include "libcontact/methods/spheres.h"\n',
     "tests/libdem/world.cpp": '#include "libdem/world.h"\n',
 }
@@ -28,6 +29,7 @@ PLANTED = [  # path, added text, what the report must say
     ("libcontact/laws/hertz.h", '#include "libcontact/methods/spheres.h"\n', "method in a law"),
     ("libcontact/laws/hertz.h", '#include "shapes/sphere.h"\n', "shape in a law"),
     ("libcontact/contact.h", "#include <fmt/core.h>\n", "neither the standard library nor Eigen"),
+    ("libcontact/bindings/c/contact.h", "#include <math.h>\n", "neither the standard library nor Eigen"),
     ("shapes/sphere.h", "#include <immintrin.h>\n", "neither the standard library nor Eigen"),
     ("libcontact/contact.h", "#include <Eigen/Dense>\n", "reached by libcontact/kernels/hertz.kernel.cpp"),
     ("libcontact/kernels/hertz.kernel.cpp", '#include "shapes/sphere.h"\n', "only shapes/math and kernel templates"),
