@@ -33,11 +33,14 @@ struct Patch {
 struct Contact {
   Status status = Status::refused;
   bool certified = false;
+  bool handed_over = false;                      // the method named cannot answer this pair: the production method did
   double gap = 0, gap_lower = 0, gap_upper = 0;  // m
   Vec3d normal{};                                // unit
   Vec3d point_a{}, point_b{};                    // witness points, relative to A's origin, m
   Patch patch{};
-  double method_overlap = 0;  // what the method itself measures, m
+  // What the method itself measures (a chord, the distance of two potential points, a clipped area over a length, …),
+  // on which a law acts in a scene that names an approximate method. Of an exact method: −gap, normal, patch centre.
+  double method_overlap = 0;  // m
   Vec3d method_normal{}, method_point{};
   int iterations = 0;
 };

@@ -17,7 +17,7 @@ using shapes::kind_count;
 
 struct Entry {
   MethodInfo info{};
-  ChunkQuery run = nullptr;
+  ChunkQuery run = nullptr, own_measure = nullptr;
 };
 
 template <class M, class A, class B>
@@ -28,6 +28,13 @@ void run_chunk(std::size_t n, const Body* a, const Body* b, const Vec3d* offset,
     ::new (static_cast<void*>(out + i))
         Contact(M::query(placed<A>(a[i]), placed<B>(b[i]), offset[i], options, cache == nullptr ? nullptr : cache + i));
   }
+}
+
+template <class M, class A, class B>
+void run_own_measure(std::size_t n, const Body* a, const Body* b, const Vec3d* offset, const Options& options,
+                     Cache* cache, Contact* out) {
+  run_chunk<M, A, B>(n, a, b, offset, options, cache, out);
+  for (std::size_t i = 0; i < n; ++i) act_on_own_measure(out[i]);
 }
 
 // Calls visit.operator()<M, A, B>() for every method and pair of kinds A <= B that it answers.
@@ -67,9 +74,15 @@ constexpr auto table = [] {
   std::array<Entry, answer_count()> entries{};
   std::size_t n = 0;
   for_each_answer([&]<class M, class A, class B>() {
-    entries[n].info = {M::name,  M::cost_rank, shapes::kind_of<A>(), shapes::kind_of<B>(), always_certified<M, A, B>(),
-                       M::remark};
-    entries[n++].run = &run_chunk<M, A, B>;
+    entries[n].info = {
+        M::name,       M::cost_rank, shapes::kind_of<A>(), shapes::kind_of<B>(), always_certified<M, A, B>(),
+        is_exact<M>(), M::remark};
+    entries[n].run = &run_chunk<M, A, B>;
+    if constexpr (is_exact<M>())
+      entries[n].own_measure = entries[n].run;
+    else
+      entries[n].own_measure = &run_own_measure<M, A, B>;
+    ++n;
   });
   std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) { return before(x.info, y.info); });
   return entries;
@@ -91,6 +104,18 @@ constexpr bool names_are_unique() {
   return true;
 }
 static_assert(names_are_unique());
+
+const Entry* entry_of(Kind a, Kind b, std::string_view method) {
+  const Entry* cheapest = nullptr;
+  for (const Entry& entry : table) {
+    if (entry.info.a != a || entry.info.b != b) continue;
+    if (method == entry.info.name) return &entry;
+    if (method != "auto" || !entry.info.exact) continue;
+    if (entry.info.certified) return &entry;
+    if (cheapest == nullptr) cheapest = &entry;
+  }
+  return cheapest;
+}
 
 bool geometry_is_there(const Body& b) {
   if (b.kind == Kind::polyhedron || b.kind == Kind::rounded_polyhedron || b.kind == Kind::potential_particle ||
@@ -133,14 +158,19 @@ double circumradius(const Body& b) {
 const MethodInfo* methods_begin() { return catalogue.data(); }
 const MethodInfo* methods_end() { return catalogue.data() + catalogue.size(); }
 
+const MethodInfo* choose(Kind a, Kind b, std::string_view method) {
+  const Entry* entry = entry_of(a, b, method);
+  return entry == nullptr ? nullptr : &catalogue[static_cast<std::size_t>(entry - table.data())];
+}
+
 ChunkQuery find(Kind a, Kind b, std::string_view method) {
-  ChunkQuery cheapest = nullptr;
-  for (const Entry& entry : table) {
-    if (entry.info.a != a || entry.info.b != b) continue;
-    if (method == entry.info.name || (method == "auto" && entry.info.certified)) return entry.run;
-    if (method == "auto" && cheapest == nullptr) cheapest = entry.run;
-  }
-  return cheapest;
+  const Entry* entry = entry_of(a, b, method);
+  return entry == nullptr ? nullptr : entry->run;
+}
+
+ChunkQuery find_own_measure(Kind a, Kind b, std::string_view method) {
+  const Entry* entry = entry_of(a, b, method);
+  return entry == nullptr ? nullptr : entry->own_measure;
 }
 
 Contact query(const Body& a, const Body& b, const Vec3d& offset, const Options& options, std::string_view method) {

@@ -55,6 +55,7 @@ struct MethodInfo {
   int cost_rank;            // static: lower is cheaper
   shapes::Kind a, b;        // a <= b
   bool certified;           // answers are certified over its whole range
+  bool exact;               // the gap is right to rounding; else it is the separation along the method's own normal
   std::string_view remark;  // one clause for the catalogue
 };
 
@@ -62,8 +63,14 @@ struct MethodInfo {
 CONTACT_API const MethodInfo* methods_begin();
 CONTACT_API const MethodInfo* methods_end();
 
-// Null when no such method answers this pair. Needs a <= b in kind order. "auto": the cheapest certified method.
+// Null when no such method answers this pair. Needs a <= b in kind order. "auto": the cheapest certified one of the
+// exact methods, else the cheapest exact one.
+CONTACT_API const MethodInfo* choose(shapes::Kind a, shapes::Kind b, std::string_view method = "auto");
 CONTACT_API ChunkQuery find(shapes::Kind a, shapes::Kind b, std::string_view method = "auto");
+
+// The same for a law that acts on what the method measures: gap, normal and patch centre of the answer are
+// −method_overlap, method_normal and method_point where the method is approximate.
+CONTACT_API ChunkQuery find_own_measure(shapes::Kind a, shapes::Kind b, std::string_view method = "auto");
 
 // One pair in any order; normal points from a to b; vectors relative to a's origin. Status refused for an unknown pair.
 CONTACT_API Contact query(const Body& a, const Body& b, const Vec3d& offset, const Options& options = {},

@@ -10,6 +10,7 @@
 #include "libcontact/laws/mix.h"
 #include "libdem/broad_phase/candidates.h"
 #include "libdem/deformation.h"
+#include "libdem/detection.h"
 #include "libdem/events/events.h"
 #include "libdem/forces.h"
 #include "libdem/insertion/rain.h"
@@ -166,17 +167,25 @@ void check_methods(const World& world) {
   for (const Draft& d : coming_bodies(world)) with_parts(world.shapes[d.shape].kind, world.shapes[d.shape]);
   std::array<bool, shapes::kind_count> other = present;
   for (const Wall& w : world.walls) other[static_cast<std::size_t>(w.kind)] = true;
+  // A method that is named must answer one of the pairs; the cheapest exact method takes the others.
+  std::string unanswered;
+  bool used = world.scene.method == "auto";
   for (std::size_t a = 0; a < shapes::kind_count; ++a)
     for (std::size_t b = a; b < shapes::kind_count; ++b) {
       if (!(present[a] && other[b])) continue;
       const auto ka = static_cast<shapes::Kind>(a), kb = static_cast<shapes::Kind>(b);
-      if (contact::find(ka, kb, world.scene.method) == nullptr)
-        input_error({world.scene.path, 0, 0},
-                    "contact.method = \"" + world.scene.method + "\" does not answer the pair " + shapes::name_of(ka) +
-                        "–" + shapes::name_of(kb) + ", which this scene has; allowed: " +
-                        (world.scene.method == "auto" ? "kinds that dem list pairs shows an answer for"
-                                                      : "\"auto\", or see dem list pairs"));
+      const std::string pair = std::string(shapes::name_of(ka)) + "–" + shapes::name_of(kb);
+      if (detection::find(ka, kb, world.scene.method) == nullptr)
+        input_error({world.scene.path, 0, 0}, "no method answers the pair " + pair +
+                                                  ", which this scene has; allowed: kinds that dem list pairs shows an "
+                                                  "answer for");
+      used = used || contact::find(ka, kb, world.scene.method) != nullptr;
+      unanswered += (unanswered.empty() ? "" : ", ") + pair;
     }
+  if (!used && !unanswered.empty())
+    input_error({world.scene.path, 0, 0}, "contact.method = \"" + world.scene.method + "\" does not answer the pair " +
+                                              unanswered +
+                                              ", all that this scene has; allowed: \"auto\", or see dem list pairs");
 }
 
 // Only one image of a body may be within reach of another.

@@ -230,7 +230,7 @@ class PairPass : public ForcePass {
       if (refused || q.status == contact::Status::not_converged) ++t.not_converged;
       if (refused || !(q.gap < 0)) {
         forget(k, s);
-        if (bin.regions || !q.certified || !(q.gap_lower > 0)) continue;
+        if (bin.regions || !bin.exact || !q.certified || !(q.gap_lower > 0)) continue;
         if (q.iterations == 0 && !(q.gap_upper < infinity)) ++t.by_axis;
         keep_apart(k, q.gap_lower);
         continue;

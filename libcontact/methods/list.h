@@ -5,7 +5,11 @@
 #include <tuple>
 
 #include "libcontact/methods/analytic.h"
+#include "libcontact/methods/common_normal.h"
 #include "libcontact/methods/features.h"
+#include "libcontact/methods/geometric_potential.h"
+#include "libcontact/methods/intersection_midpoint.h"
+#include "libcontact/methods/perram_wertheim.h"
 #include "libcontact/methods/planar.h"
 #include "libcontact/methods/polyhedron_plane.h"
 #include "libcontact/methods/potential.h"
@@ -15,6 +19,7 @@
 
 namespace contact {
 
-using Methods = std::tuple<Analytic, PolyhedronPlane, SupportNewton, Sat, Features, Rounded, Potential, Planar>;
+using Methods = std::tuple<Analytic, PolyhedronPlane, SupportNewton, Sat, Features, Rounded, Potential, Planar,
+                           PerramWertheim, GeometricPotential, CommonNormal, IntersectionMidpoint>;
 
 }  // namespace contact

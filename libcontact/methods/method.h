@@ -1,12 +1,16 @@
 // What a contact method is, and the few lines that all methods of smooth bodies share.
 //
-// A method is a struct without state:
-//   static constexpr const char* name;     the name scenes and options use
-//   static constexpr int cost_rank;        lower is cheaper; ranks methods of one pair of kinds (a bench keeps it
-//   honest) static constexpr const char* remark;   one clause for the catalogue static constexpr bool certified;
-//   optional, true when absent: are all answers certified? static Contact query(const Placed<A>&, const Placed<B>&,
-//   const Vec3d& offset, const Options&, Cache*);
-// with one `query` for each pair of kinds A <= B that it answers. It is added by naming it in methods/list.h; the
+// A method is a struct without state, with the members
+//   name         the name that scenes and options use
+//   cost_rank    lower is cheaper; ranks the methods of one pair of kinds (a bench keeps it honest)
+//   remark       one clause for the catalogue
+//   certified    optional, true when absent: are all answers certified?
+//   exact        optional, true when absent: is the gap right to rounding? Else the method is approximate: its gap is
+//   the
+//                support separation along its own normal, never above the true one, `auto` never takes it, and its own
+//                measure counts in a scene that names it
+//   query        static Contact (const Placed<A>&, const Placed<B>&, const Vec3d& offset, const Options&, Cache*),
+// one for each pair of kinds A <= B that it answers. It is added by naming it in methods/list.h; the
 // table, the catalogue and the property tests follow from the overloads that exist.
 #pragma once
 
@@ -31,6 +35,22 @@ constexpr bool always_certified() {
   } else {
     return true;
   }
+}
+
+template <class M>
+constexpr bool is_exact() {
+  if constexpr (requires { bool(M::exact); })
+    return M::exact;
+  else
+    return true;
+}
+
+// The answer as a law sees it that acts on the method's own measure. A proof of separation, without points, stays.
+inline void act_on_own_measure(Contact& c) {
+  if (c.status == Status::refused || !(c.gap_upper <= std::numeric_limits<double>::max())) return;
+  c.gap = -c.method_overlap;
+  c.normal = c.method_normal;
+  c.patch.centre = c.method_point;
 }
 
 // Rounding allowance of a support separation of bodies of this extent L = |offset| + circumradii: rotation matrices are

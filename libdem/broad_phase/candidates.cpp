@@ -7,6 +7,7 @@
 #include "libcontact/methods/polygon_regions.h"
 #include "libdem/broad_phase/cells.h"
 #include "libdem/broad_phase/part_candidates.h"
+#include "libdem/detection.h"
 
 namespace dem {
 namespace {
@@ -187,7 +188,15 @@ void fill_bins(World& world) {
       bin = static_cast<int>(c.bins.size());
       const bool closed = is_round(a) && (is_round(b) || is_half_space(b));
       all_spheres = all_spheres && closed;
-      c.bins.push_back({a, b, closed ? nullptr : contact::find(a, b, world.scene.method), regions, {}, {}, {}, {}});
+      c.bins.push_back({a,
+                        b,
+                        closed ? nullptr : detection::find(a, b, world.scene.method),
+                        regions,
+                        closed || detection::choose(a, b, world.scene.method)->exact,
+                        {},
+                        {},
+                        {},
+                        {}});
     }
     const std::uint32_t material_b = wall ? world.walls[c.index_b[k]].material : p.material[c.index_b[k]];
     Bin& list = c.bins[static_cast<std::size_t>(bin)];

@@ -9,6 +9,7 @@
 #include "libcontact/dispatch.h"
 #include "libcontact/methods/polygon_regions.h"
 #include "libdem/cli/check_parts.h"
+#include "libdem/detection.h"
 #include "libdem/parts.h"
 #include "libdem/render/render.h"
 #include "libdem/scene/format_words.h"
@@ -147,15 +148,12 @@ void print_detection(const World& world) {
   for (const shapes::Kind a : bodies)
     for (const shapes::Kind b : all) {
       if (b < a) continue;
-      const contact::ChunkQuery chosen = contact::find(a, b, world.scene.method);
-      for (const auto* m = contact::methods_begin(); m != contact::methods_end(); ++m) {
-        if (m->a != a || m->b != b || contact::find(a, b, m->name) != chosen) continue;
-        const std::string name(m->name), pair = fmt::format("{}-{}", shapes::name_of(a), shapes::name_of(b));
-        auto at = std::find_if(methods.begin(), methods.end(), [&](const auto& x) { return x.first == name; });
-        if (at == methods.end()) at = methods.insert(at, {name, {}});
-        at->second.push_back(pair);
-        break;
-      }
+      const contact::MethodInfo* m = detection::choose(a, b, world.scene.method);
+      if (m == nullptr) continue;
+      const std::string name(m->name), pair = fmt::format("{}-{}", shapes::name_of(a), shapes::name_of(b));
+      auto at = std::find_if(methods.begin(), methods.end(), [&](const auto& x) { return x.first == name; });
+      if (at == methods.end()) at = methods.insert(at, {name, {}});
+      at->second.push_back(pair);
     }
   bool first = true;
   for (const auto& [name, pairs] : methods) {

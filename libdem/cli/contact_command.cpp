@@ -34,16 +34,10 @@ const char* name_of(Status status) {
   return "refused";
 }
 
-// The first entry of the catalogue that contact::find takes for this pair and this request.
 std::string answering_method(shapes::Kind a, shapes::Kind b, const std::string& method) {
   const auto [low, high] = std::minmax(a, b);
-  std::string cheapest;
-  for (const auto* m = contact::methods_begin(); m != contact::methods_end(); ++m) {
-    if (m->a != low || m->b != high) continue;
-    if (method == m->name || (method == "auto" && m->certified)) return std::string(m->name);
-    if (method == "auto" && cheapest.empty()) cheapest = m->name;
-  }
-  return cheapest;
+  const contact::MethodInfo* m = contact::choose(low, high, method);
+  return m == nullptr ? "" : std::string(m->name);
 }
 
 struct Result {
@@ -88,15 +82,15 @@ std::string to_json(const Result& r) {
            ", \"gap\": null, \"gap_lower\": null, \"gap_upper\": null, \"normal\": null, \"point_a\": null, "
            "\"point_b\": "
            "null, \"certified\": false, \"method_overlap\": null, \"method_normal\": null, \"method_point\": null, "
-           "\"iterations\": 0}";
+           "\"handed_over\": false, \"iterations\": 0}";
   return head +
          fmt::format(
              ", \"gap\": {}, \"gap_lower\": {}, \"gap_upper\": {}, \"normal\": {}, \"point_a\": {}, \"point_b\": {}, "
              "\"certified\": {}, \"method_overlap\": {}, \"method_normal\": {}, \"method_point\": {}, "
-             "\"iterations\": {}}}",
+             "\"handed_over\": {}, \"iterations\": {}}}",
              number(c.gap), number(c.gap_lower), number(c.gap_upper), vector(c.normal), vector(c.point_a),
              vector(c.point_b), c.certified, number(c.method_overlap), vector(c.method_normal), vector(c.method_point),
-             c.iterations);
+             c.handed_over, c.iterations);
 }
 
 // How an answer compares with what is known.

@@ -45,7 +45,8 @@ Json shapes_json() {
 
 Json method_json(const contact::MethodInfo& m) {
   return {{"name", m.name},           {"a", shapes::name_of(m.a)}, {"b", shapes::name_of(m.b)},
-          {"cost_rank", m.cost_rank}, {"certified", m.certified},  {"remark", m.remark}};
+          {"cost_rank", m.cost_rank}, {"certified", m.certified},  {"exact", m.exact},
+          {"remark", m.remark}};
 }
 
 Json methods_json() {

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "libcontact/dispatch.h"
 #include "libcontact/laws/list.h"
 #include "libdem/cli/progress.h"
+#include "libdem/detection.h"
 
 namespace dem::cli {
 namespace {
@@ -27,9 +27,7 @@ void phases(const PhaseTimes& t) {
 
 const char* method_of(const World& world, shapes::Kind a, shapes::Kind b) {
   if (is_round(a) && (is_round(b) || is_half_space(b))) return "spheres";
-  for (const auto* m = contact::methods_begin(); m != contact::methods_end(); ++m)
-    if (m->a == a && m->b == b && contact::find(a, b, m->name) == contact::find(a, b, world.scene.method))
-      return m->name.data();
+  if (const contact::MethodInfo* m = detection::choose(a, b, world.scene.method)) return m->name.data();
   return "-";
 }
 

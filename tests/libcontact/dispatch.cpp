@@ -52,13 +52,37 @@ TEST(Dispatch, every_pair_of_particles_and_every_particle_against_a_wall_is_answ
   }
 }
 
-TEST(Dispatch, automatic_choice_is_the_cheapest_certified_method) {
+TEST(Dispatch, automatic_choice_is_the_cheapest_certified_exact_method) {
   for (const MethodInfo* m = methods_begin(); m != methods_end(); ++m) {
-    const MethodInfo* best = std::find_if(
-        methods_begin(), methods_end(), [&](const MethodInfo& x) { return x.a == m->a && x.b == m->b && x.certified; });
-    if (best == methods_end()) continue;
+    const auto first = [&](bool certified) {
+      return std::find_if(methods_begin(), methods_end(), [&](const MethodInfo& x) {
+        return x.a == m->a && x.b == m->b && x.exact && (x.certified || !certified);
+      });
+    };
+    const MethodInfo* best = first(true) != methods_end() ? first(true) : first(false);
+    ASSERT_NE(best, methods_end());  // no pair is left to approximate methods alone
+    EXPECT_EQ(choose(m->a, m->b), best);
     EXPECT_EQ(find(m->a, m->b), find(m->a, m->b, best->name));
   }
+}
+
+TEST(Dispatch, an_approximate_method_acts_by_its_own_measure_where_that_is_asked) {
+  const Body a = ellipsoid({1, 2, 3}), b = ellipsoid({1, 0.5, 2});
+  const Vec3d offset{1.2, 1.1, 0.75};
+  int approximate = 0;
+  for (const MethodInfo* m = methods_begin(); m != methods_end(); ++m) {
+    if (m->a != Kind::ellipsoid || m->b != Kind::ellipsoid) continue;
+    Contact plain, own;
+    find(m->a, m->b, m->name)(1, &a, &b, &offset, {}, nullptr, &plain);
+    find_own_measure(m->a, m->b, m->name)(1, &a, &b, &offset, {}, nullptr, &own);
+    approximate += !m->exact;
+    EXPECT_EQ(own.gap, m->exact ? plain.gap : -plain.method_overlap);
+    EXPECT_TRUE(own.normal == (m->exact ? plain.normal : plain.method_normal));
+    EXPECT_TRUE(own.patch.centre == (m->exact ? plain.patch.centre : plain.method_point));
+    EXPECT_EQ(own.gap_lower, plain.gap_lower);
+  }
+  EXPECT_GE(approximate, 3);
+  EXPECT_EQ(find_own_measure(Kind::sphere, Kind::sphere, "common_normal"), nullptr);
 }
 
 TEST(Dispatch, unknown_names_and_pairs_are_refused) {
