@@ -47,13 +47,17 @@ struct Contact {
 
 // What the caller wants. `overlap_only`: a separated pair may stop at the first proof (gap is then gap_lower, the
 // witness points are not set and gap_upper is +infinity); an overlapping pair is always answered in full.
+// `warm_start` (ellipsoid pairs; others ignore it): the normal of every answer is left in the cache, and the search
+// starts from the one that is found there. Answers then differ from cold ones within their intervals: a caller that
+// needs the same bits after another history leaves it off.
 struct Options {
   bool overlap_only = false;
   bool patch = true;
+  bool warm_start = false;
 };
 
-// What an earlier query of the same pair left: only ever used as a proof that is checked anew, never as a start. Any
-// content gives the same answer.
+// What an earlier query of the same pair left: used as a proof that is checked anew, and as a start only on request.
+// Without `warm_start` any content gives the same answer.
 struct Cache {
   Vec3d axis{};                // separating direction in A's body frame; zero: none
   std::uint32_t feature[2]{};  // the method's own: what answered an overlap; zeros: none

@@ -23,6 +23,8 @@ struct Entry {
 template <class M, class A, class B>
 void run_chunk(std::size_t n, const Body* a, const Body* b, const Vec3d* offset, const Options& options, Cache* cache,
                Contact* out) {
+  if constexpr (AnswersChunks<M, A, B>)
+    if (n > 1) return M::query_chunk(KindPair<A, B>{}, n, a, b, offset, options, cache, out);
   for (std::size_t i = 0; i < n; ++i) {
     // Constructed in place: an answer is 240 bytes, and copying it would cost as much as a pair of spheres.
     ::new (static_cast<void*>(out + i))

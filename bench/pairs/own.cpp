@@ -141,6 +141,14 @@ void add_own(const Set& set, std::vector<Entry>& entries) {
     chunks<true>(*work, {.overlap_only = true}, work->scratch.data());
   });
   if (set.a == Kind::sphere && set.b == Kind::sphere) add_packed_spheres(set, entries);
+  if (set.a == Kind::ellipsoid && set.b == Kind::ellipsoid) {
+    const auto warm = std::make_shared<Work>(set);
+    chunks<false>(*warm, {.warm_start = true}, warm->cache.data());
+    add("own warm", [warm] {
+      std::copy(warm->cache.begin(), warm->cache.end(), warm->scratch.begin());
+      chunks<true>(*warm, {.warm_start = true}, warm->scratch.data());
+    });
+  }
 }
 
 }  // namespace pairs

@@ -8,6 +8,7 @@
 
 #include "libcontact/export.h"
 #include "libcontact/kernels/lattice.h"
+#include "libcontact/kernels/pair_chunks.h"
 #include "libcontact/kernels/records.h"
 
 namespace contact::kernels {
@@ -91,6 +92,7 @@ struct KernelSet {
   StoreHistoryKernel store_history;
   StoreSlotsKernel store_slots;  // force, couple, couple_b
   SumKernel sum_slots;
+  PairKernels pairs;
 };
 
 // The best set this processor runs; the environment variable DEM_SIMD (sse2 | avx2 | avx512) asks for another. Every

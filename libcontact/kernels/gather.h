@@ -1,4 +1,4 @@
-// Between records in memory and lanes: inside the kernels only (compiled once per instruction set).
+// What the kernel sources of one set give to its list: inside the kernels only (compiled once per instruction set).
 #pragma once
 
 #include "libcontact/kernels/chunk.h"
@@ -17,6 +17,9 @@ void load_history(const History* history, const Index* record, std::size_t count
 void store_history(const LawChunk& c, const Index* record, std::size_t count, History* history);
 void store_slots(const LawChunk& c, const Index* record, std::size_t count, Slot* slot);
 void sum_slots(const Slot* slot, const Index* active, std::size_t count, Total& total);
+
+void ellipsoid_proofs(EllipsoidChunk& chunk, std::size_t count);
+void ellipsoid_search(EllipsoidChunk& chunk, std::size_t count, bool stop_at_proof);
 
 }  // namespace KERNEL_SET
 }  // namespace contact::kernels

@@ -167,7 +167,8 @@ const KernelSet& kernel_set() {
                                  load_history,
                                  store_history,
                                  store_slots,
-                                 sum_slots};
+                                 sum_slots,
+                                 {ellipsoid_proofs, ellipsoid_search}};
   return set;
 }
 

@@ -58,4 +58,6 @@ const KernelSet& kernels() {
   return set;
 }
 
+const PairKernels& pair_kernels() { return kernels().pairs; }
+
 }  // namespace contact::kernels

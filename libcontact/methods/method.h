@@ -26,6 +26,20 @@ concept Answers = requires(const Placed<A>& a, const Placed<B>& b, const Vec3d& 
   { M::query(a, b, offset, o, c) } -> std::same_as<Contact>;
 };
 
+// Methods may answer many pairs of one pair of kinds together: bit for bit what `query` answers one by one.
+//   static void query_chunk(KindPair<A, B>, std::size_t n, const Body*, const Body*, const Vec3d* offset, const
+//   Options&,
+//                           Cache*, Contact*);      null cache or n entries
+template <class A, class B>
+struct KindPair {};
+struct Body;
+
+template <class M, class A, class B>
+concept AnswersChunks = requires(std::size_t n, const Body* a, const Vec3d* offset, const Options& o, Cache* c,
+                                 Contact* out) {
+  M::query_chunk(KindPair<A, B>{}, n, a, a, offset, o, c, out);
+};
+
 template <class M, class A, class B>
 constexpr bool always_certified() {
   if constexpr (requires { bool(M::certified); }) {

@@ -2,281 +2,215 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
-#include "libcontact/methods/method.h"
+#include "libcontact/dispatch.h"
+#include "libcontact/kernels/pair_chunks.h"
+#include "libcontact/methods/ellipsoid_climb.h"
 #include "libcontact/scale.h"
 
 namespace contact {
 
 namespace {
 
-constexpr int step_limit = 160;
-constexpr int cut_limit = 24;  // a step is cut to a quarter this many times before the point counts as stationary
+using Answer = EllipsoidAnswer<double>;
 
-// The pair in units where the extent is near 1.
-struct Pair {
-  Mat3d a, b;  // R D: columns are the semi-axes as vectors
-  Vec3d d;
-  double extent;                  // |d| + circumradii
-  double least_curvature_radius;  // m of (4)
-  double aspect;                  // the larger of the two aspect ratios
-  double ball_gap;                // right side of (5)
+// What places an answer back: the pair was seen from one of its bodies, in units of a power of two.
+struct View {
+  double down, up;
+  bool swapped;
+  double sign() const { return swapped ? -1 : 1; }
 };
 
-struct Point {  // of the search
-  Vec3d n;
-  Vec3d u, v;     // Dᵀ Rᵀ n of A and B, unit
-  double ha, hb;  // support heights
-  double f;       // (1)
-};
+double greatest(const Vec3d& v) { return std::max(v.x, std::max(v.y, v.z)); }
+double greatest_abs(const Vec3d& v) { return greatest({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-struct Step {
-  Vec3d turn;              // tangential change of n
-  Vec3d shift_a, shift_b;  // what it moves the support points by, to first order
-  Vec3d xa, xb, w;
-  double gain;       // r·s: twice the predicted gain in f
-  double residual;   // |r|
-  double curvature;  // trace of K_A + K_B
-  bool at_maximum;   // (3) is positive definite
-};
-
-struct Root {
-  Point point;
-  Step step;
-  int iterations = 0;
-  bool converged = false, proof = false;
-};
-
-Mat3d columns_scaled(const Mat3d& r, const Vec3d& s) {
-  return {{scaled(r.row[0], s), scaled(r.row[1], s), scaled(r.row[2], s)}};
+// False for a pair that is refused. What is not a number fails one of the comparisons.
+[[gnu::always_inline]] inline bool view_of(const Vec3d& axes_a, const Vec3d& axes_b, const Vec3d& offset, View& view) {
+  const double size = greatest_abs(offset) + (greatest(axes_a) + greatest(axes_b)), limit = smallest_ratio * size;
+  const double least =
+      std::min(std::min(std::min(axes_a.x, axes_a.y), std::min(axes_a.z, axes_b.x)), std::min(axes_b.y, axes_b.z));
+  const double sum =
+      (offset.x + offset.y + offset.z) + (axes_a.x + axes_a.y + axes_a.z) + (axes_b.x + axes_b.y + axes_b.z);
+  if (!(extent_in_range(size) && least >= limit && std::abs(sum) <= 9 * size)) return false;
+  const Scale scale = scale_of(size);
+  view = {scale.down, scale.up, seen_from_b(offset)};
+  return true;
 }
 
-Point evaluate(const Pair& pair, const Vec3d& n) {
-  Point p;
-  p.n = n;
-  p.u = transposed_times(pair.a, n);
-  p.v = transposed_times(pair.b, n);
-  p.ha = norm(p.u);
-  p.hb = norm(p.v);
-  p.u *= 1 / p.ha;
-  p.v *= 1 / p.hb;
-  p.f = dot(n, pair.d) - (p.ha + p.hb);
-  return p;
+// The cached axis as a direction in the order of the pair; zero: none.
+Vec3d axis_of(const Mat3d& rotation_a, const Options& options, const Cache* cache, const View& view) {
+  Vec3d axis;
+  if (!(options.overlap_only || options.warm_start) || !cached_direction(cache, axis)) return {};
+  return view.sign() * (rotation_a * axis);
 }
 
-// Symmetric 2×2 matrix of radii of curvature of one body in the tangent plane (t1, t2).
-struct Curvature {
-  double k11, k12, k22;
-};
-
-Curvature curvature(const Mat3d& axes, const Vec3d& u, double height, const Vec3d& t1, const Vec3d& t2) {
-  Vec3d p = transposed_times(axes, t1), q = transposed_times(axes, t2);
-  p -= dot(p, u) * u;
-  q -= dot(q, u) * u;
-  const double inverse = 1 / height;
-  return {dot(p, p) * inverse, dot(p, q) * inverse, dot(q, q) * inverse};
+[[gnu::always_inline]] inline Contact proof(double lower, const Vec3d& n, const View& view, double iterations = 0) {
+  // The rounding is taken off already.
+  return separation_proof(lower, 0, view.sign() * n, view.up, static_cast<int>(iterations));
 }
 
-Step newton_step(const Pair& pair, const Point& p) {
-  Vec3d t1, t2;
-  tangent_frame(p.n, t1, t2);
-  const Curvature ka = curvature(pair.a, p.u, p.ha, t1, t2), kb = curvature(pair.b, p.v, p.hb, t1, t2);
-  Step s;
-  s.xa = pair.a * p.u;
-  s.xb = pair.b * p.v;
-  s.w = pair.d - (s.xa + s.xb);
-  const double r1 = dot(t1, s.w), r2 = dot(t2, s.w);
-  s.curvature = (ka.k11 + ka.k22) + (kb.k11 + kb.k22);
-  const double k12 = ka.k12 + kb.k12;
-  double k11 = (ka.k11 + kb.k11) + p.f, k22 = (ka.k22 + kb.k22) + p.f;
-  double determinant = k11 * k22 - k12 * k12;
-  s.at_maximum = determinant > 0 && k11 > 0;
-  if (!s.at_maximum) {
-    const double half = 0.5 * (k11 - k22);
-    const double least = 0.5 * (k11 + k22) - std::sqrt(half * half + k12 * k12);
-    const double shift = 2 * std::abs(least) + 0x1p-10 * s.curvature;
-    k11 += shift;
-    k22 += shift;
-    determinant = k11 * k22 - k12 * k12;
-  }
-  const double inverse = 1 / determinant;
-  const double s1 = (k22 * r1 - k12 * r2) * inverse, s2 = (k11 * r2 - k12 * r1) * inverse;  // (3)
-  s.turn = s1 * t1 + s2 * t2;
-  s.shift_a = (ka.k11 * s1 + ka.k12 * s2) * t1 + (ka.k12 * s1 + ka.k22 * s2) * t2;
-  s.shift_b = (kb.k11 * s1 + kb.k12 * s2) * t1 + (kb.k12 * s1 + kb.k22 * s2) * t2;
-  s.gain = r1 * s1 + r2 * s2;
-  s.residual = std::sqrt(r1 * r1 + r2 * r2);
-  return s;
+// Support points of A lie along n from its centre, those of B against n; seen from B the roles are exchanged.
+[[gnu::always_inline]] inline Contact contact_of(const Answer& r, const Vec3d& d, const View& view) {
+  const double sign = view.sign();
+  const Vec3d &first = view.swapped ? r.inner_b : r.inner_a, &second = view.swapped ? r.inner_a : r.inner_b;
+  return smooth_contact(r.gap, r.lower, r.upper, sign * r.normal, sign * first, sign * (d - second), view.up,
+                        static_cast<int>(r.iterations));
 }
 
-// How far (4) reaches above f; infinite where it does not hold. The support points are loose by eps times their radius
-// of curvature, and so is the residual.
-double excess_bound(const Pair& pair, const Point& p, const Step& s) {
-  double denominator = 2 * (pair.least_curvature_radius + p.f);
-  if (p.f > 0) denominator = std::max(denominator, norm(s.w) + p.f);
-  if (!(denominator > 0)) return std::numeric_limits<double>::infinity();
-  const double residual = s.residual + 2 * epsilon * s.curvature;
-  return residual * residual / denominator;
-}
-
-// Climbs to a stationary point of f. With `stop_at_proof` it stops at the first f above the margin.
-Root climb(const Pair& pair, const Point& start, bool stop_at_proof) {
-  const double unit = epsilon * pair.extent;
-  Root root;
-  root.point = start;
-  double last_residual = std::numeric_limits<double>::infinity();
-  for (root.iterations = 1;; ++root.iterations) {
-    if (stop_at_proof && root.point.f > proof_margin(pair.extent)) {
-      root.proof = root.converged = true;
-      return root;
-    }
-    root.step = newton_step(pair, root.point);
-    const Step& s = root.step;
-    const bool settled = s.gain <= 64 * unit;                      // the gap is known to rounding
-    const bool points_settled = s.gain * pair.aspect <= 8 * unit;  // and the next order of the points is negligible
-    const bool bounded =
-        pair.least_curvature_radius + root.point.f <= 0 || excess_bound(pair, root.point, s) <= 8 * unit;
-    if ((points_settled && bounded) || (settled && s.residual >= 0.5 * last_residual)) {
-      root.converged = true;
-      return root;
-    }
-    if (root.iterations == step_limit) return root;
-    last_residual = s.residual;
-    const double turn = dot(s.turn, s.turn);
-    double fraction = turn > 1 ? 1 / std::sqrt(turn) : 1;
-    for (int cut = 0;; ++cut, fraction *= 0.25) {
-      const Point next = evaluate(pair, normalized(root.point.n + fraction * s.turn));
-      if (next.f >= root.point.f - 2 * unit) {
-        root.point = next;
-        break;
-      }
-      if (cut == cut_limit) {
-        root.converged = settled;
-        return root;
-      }
-    }
-  }
-}
-
-// Direction (S_A + S_B)⁻¹ d by cofactors: the normal at which the pair touches when both are scaled alike, to first
-// order.
-Vec3d cold_start(const Pair& pair) {
-  double s[3][3];
-  for (int i = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j) s[i][j] = dot(pair.a.row[i], pair.a.row[j]) + dot(pair.b.row[i], pair.b.row[j]);
-  const double c00 = s[1][1] * s[2][2] - s[1][2] * s[1][2], c01 = s[0][2] * s[1][2] - s[0][1] * s[2][2];
-  const double c02 = s[0][1] * s[1][2] - s[0][2] * s[1][1], c11 = s[0][0] * s[2][2] - s[0][2] * s[0][2];
-  const double c12 = s[0][1] * s[0][2] - s[0][0] * s[1][2], c22 = s[0][0] * s[1][1] - s[0][1] * s[0][1];
-  const Vec3d& d = pair.d;
-  Vec3d n;
-  length_and_direction(
-      {c00 * d.x + c01 * d.y + c02 * d.z, c01 * d.x + c11 * d.y + c12 * d.z, c02 * d.x + c12 * d.y + c22 * d.z}, n);
-  if (dot(n, d) > 0) return n;  // S_A + S_B is positive definite: anything else is rounding
-  length_and_direction(d, n);
-  return n;
-}
-
-// The best of several climbs for a pair that overlaps by more than m. At the global maximum n·d >= 0, as f(−n) = f(n) −
-// 2 n·d.
-Root search_deep(const Pair& pair, const Placed<shapes::Ellipsoid>& a, const Placed<shapes::Ellipsoid>& b, Root best) {
-  Vec3d starts[10];
-  int count = 0;
-  const Vec3d* axes[2] = {&a.semi_axes, &b.semi_axes};
-  const Mat3d* rotations[2] = {&a.rotation, &b.rotation};
-  Vec3d thin[2];
-  for (int body = 0; body < 2; ++body) {
-    int k = 0;
-    for (int i = 0; i < 3; ++i) {
-      starts[count++] = rotations[body]->column(i);
-      if ((*axes[body])[i] < (*axes[body])[k]) k = i;
-    }
-    thin[body] = rotations[body]->column(k);
-  }
-  for (const double sign : {1.0, -1.0}) {
-    Vec3d between;
-    if (length_and_direction(thin[0] + sign * thin[1], between) > 0x1p-20) starts[count++] = between;
-  }
-  int iterations = best.iterations;
-  for (int i = 0; i < count; ++i) {
-    const Vec3d& n = starts[i];
-    const Root root = climb(pair, evaluate(pair, dot(n, pair.d) < 0 ? -n : n), false);
-    iterations += root.iterations;
-    if (root.point.f > best.point.f || (root.converged && !best.converged && root.point.f == best.point.f)) best = root;
-  }
-  best.iterations = iterations;
-  return best;
-}
-
-Contact answer(const Pair& pair, const Root& root, bool swapped, double up, const Mat3d& rotation_a, Cache* cache) {
-  const Point& p = root.point;
-  const Step& s = root.step;
-  const double allowance = rounding(pair.extent);
-  const bool refine = root.converged && s.at_maximum && s.gain <= 0x1p-20 * pair.extent;
-  const double gap = refine ? p.f + 0.5 * s.gain : p.f;
-  const double excess = excess_bound(pair, p, s);
-  double upper = std::min(p.f + excess, pair.ball_gap);  // (4), (5)
-  const bool proven = !root.converged || excess <= largest_extent || pair.ball_gap <= gap + allowance;
-  if (!proven) upper = gap;
-  upper = std::max(upper, gap);
-  Vec3d normal = p.n, inner_a = s.xa, inner_b = s.xb;
-  if (refine) {
-    normal = normalized(p.n + s.turn);
-    inner_a += s.shift_a;
-    inner_b += s.shift_b;
-  }
-  // Support points of A lie along n from its centre, those of B against n; seen from B the roles are exchanged.
-  const Vec3d d = swapped ? -pair.d : pair.d;
-  if (swapped) normal = -normal;
-  const Vec3d point_a = swapped ? -inner_b : inner_a, point_b = swapped ? d + inner_a : d - inner_b;
-  Contact c = smooth_contact(gap, p.f - allowance, upper + allowance, normal, point_a, point_b, up, root.iterations);
-  c.certified = proven;
-  if (!root.converged) c.status = Status::not_converged;
-  if (cache != nullptr) cache->axis = c.status == Status::separated ? transposed_times(rotation_a, normal) : Vec3d{};
+Contact climbed(const EllipsoidPair<double>& pair, const View& view, const Answer& found, const Options& options) {
+  Certainty certainty{};
+  Answer r = climb_ellipsoids(pair, found.normal, options.overlap_only, certainty);
+  if (certainty == Certainty::none) return refused();
+  r.iterations += found.iterations;
+  if (r.outcome == Answer::proven) return proof(r.lower, r.normal, view, r.iterations);
+  Contact c = contact_of(r, pair.d, view);
+  c.certified = certainty != Certainty::best_known;
+  if (certainty == Certainty::not_converged) c.status = Status::not_converged;
   return c;
+}
+
+void leave_axis(const Mat3d& rotation_a, const Options& options, const Contact& c, Cache& cache) {
+  const bool kept = c.status == Status::separated || (options.warm_start && c.status != Status::refused);
+  cache.axis = kept ? transposed_times(rotation_a, c.normal) : Vec3d{};
 }
 
 }  // namespace
 
 Contact SupportNewton::query(const Placed<shapes::Ellipsoid>& a, const Placed<shapes::Ellipsoid>& b,
                              const Vec3d& offset, const Options& options, Cache* cache) {
-  const double ra = max_abs(a.semi_axes), rb = max_abs(b.semi_axes);
-  const double size = max_abs(offset) + (ra + rb);
-  const double limit = smallest_ratio * size;
-  if (!(extent_in_range(size) && all_at_least(a.semi_axes, limit) && all_at_least(b.semi_axes, limit)))
-    return refused();
-  const bool swapped = seen_from_b(offset);
-  const Placed<shapes::Ellipsoid>&first = swapped ? b : a, &second = swapped ? a : b;
-  const Scale scale = scale_of(size);
-  Pair pair;
-  pair.a = columns_scaled(first.rotation, first.semi_axes * scale.down);
-  pair.b = columns_scaled(second.rotation, second.semi_axes * scale.down);
-  pair.d = offset * (swapped ? -scale.down : scale.down);
-  const double distance = norm(pair.d);
-  pair.extent = distance + (ra + rb) * scale.down;
-
-  Vec3d axis;
-  if (options.overlap_only && cached_direction(cache, axis)) {
-    const Vec3d n = a.rotation * axis;
-    const double f = evaluate(pair, swapped ? -n : n).f;
-    if (f > proof_margin(pair.extent)) return separation_proof(f, pair.extent, n, scale.up);
+  View view;
+  if (!view_of(a.semi_axes, b.semi_axes, offset, view)) return refused();
+  const Placed<shapes::Ellipsoid>&first = view.swapped ? b : a, &second = view.swapped ? a : b;
+  const EllipsoidPair<double> pair{first.semi_axes * view.down, second.semi_axes * view.down, first.rotation,
+                                   second.rotation, offset * (view.sign() * view.down)};
+  const EllipsoidSearch<double> search(pair);
+  const Vec3d axis = axis_of(a.rotation, options, cache, view);
+  if (options.overlap_only) {
+    const double f = search.separation(axis);
+    if (f > search.margin()) return proof(f - search.allowance(), axis, view);
   }
+  const Answer r = search.solve(options.warm_start ? axis : Vec3d{}, options.overlap_only);
+  Contact c = r.outcome == Answer::solved   ? contact_of(r, pair.d, view)
+              : r.outcome == Answer::proven ? proof(r.lower, r.normal, view, r.iterations)
+                                            : climbed(pair, view, r, options);
+  if (cache != nullptr) leave_axis(a.rotation, options, c, *cache);
+  return c;
+}
 
-  const auto least = [](const Vec3d& v) { return std::min(v.x, std::min(v.y, v.z)); };
-  const double ca = least(a.semi_axes), cb = least(b.semi_axes);
-  pair.least_curvature_radius = (ca * (ca / ra) + cb * (cb / rb)) * scale.down;
-  pair.aspect = std::max(ra / ca, rb / cb);
-  pair.ball_gap = distance - (ca + cb) * scale.down;
-  const Point start = evaluate(pair, cold_start(pair));
-  if (!(std::abs(start.f) <= 16)) return refused();  // extent is below 4: a rotation that is not finite
-  Root root = climb(pair, start, options.overlap_only);
-  if (!root.converged || root.point.f + pair.least_curvature_radius <= 0) root = search_deep(pair, first, second, root);
+namespace {
 
-  if (root.proof) {
-    const Vec3d n = swapped ? -root.point.n : root.point.n;
-    if (cache != nullptr) cache->axis = transposed_times(a.rotation, n);
-    return separation_proof(root.point.f, pair.extent, n, scale.up, root.iterations);
+using kernels::EllipsoidChunk;
+
+void put(EllipsoidChunk::Lane* lane, std::size_t i, const Vec3d& v) {
+  lane[0][i] = v.x;
+  lane[1][i] = v.y;
+  lane[2][i] = v.z;
+}
+Vec3d get(const EllipsoidChunk::Lane* lane, std::size_t i) { return {lane[0][i], lane[1][i], lane[2][i]}; }
+
+[[gnu::always_inline]] inline void put_pair(EllipsoidChunk& c, std::size_t i, const Body& a, const Body& b,
+                                            const Vec3d& offset, const Vec3d& axis, const View& view) {
+  const Body &first = view.swapped ? b : a, &second = view.swapped ? a : b;
+  put(c.in, i, first.size * view.down);
+  put(c.in + 3, i, second.size * view.down);
+  for (int k = 0; k < 3; ++k) {
+    put(c.in + 6 + 3 * k, i, first.rotation.row[k]);
+    put(c.in + 15 + 3 * k, i, second.rotation.row[k]);
   }
-  return answer(pair, root, swapped, scale.up, a.rotation, cache);
+  put(c.in + 24, i, offset * (view.sign() * view.down));
+  put(c.in + 27, i, axis);
+}
+EllipsoidPair<double> pair_of(const EllipsoidChunk& c, std::size_t i) {
+  return {get(c.in, i),
+          get(c.in + 3, i),
+          {{get(c.in + 6, i), get(c.in + 9, i), get(c.in + 12, i)}},
+          {{get(c.in + 15, i), get(c.in + 18, i), get(c.in + 21, i)}},
+          get(c.in + 24, i)};
+}
+void copy_lane(EllipsoidChunk& c, std::size_t from, std::size_t to) {
+  for (EllipsoidChunk::Lane& lane : c.in) lane[to] = lane[from];
+}
+void pad(EllipsoidChunk& c, std::size_t count) {
+  for (std::size_t i = count; i % EllipsoidChunk::widest != 0; ++i) copy_lane(c, count - 1, i);
+}
+
+struct Lanes {  // which pair a lane holds
+  EllipsoidChunk chunk;
+  std::size_t pair[EllipsoidChunk::size];
+  View view[EllipsoidChunk::size];
+};
+
+// Ends the pairs that their cached axis keeps apart; the others move up. Returns how many those are.
+std::size_t end_at_axis(Lanes& l, std::size_t count, Contact* out) {
+  EllipsoidChunk& c = l.chunk;
+  kernels::pair_kernels().ellipsoid_proofs(c, count);
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (c.outcome[i] == Answer::proven) {
+      ::new (static_cast<void*>(out + l.pair[i])) Contact(proof(c.lower[i], get(c.in + 27, i), l.view[i]));
+      continue;
+    }
+    if (left != i) {
+      copy_lane(c, i, left);
+      l.pair[left] = l.pair[i];
+      l.view[left] = l.view[i];
+    }
+    ++left;
+  }
+  return left;
+}
+
+// Constructed in place: an answer is 240 bytes.
+void answer(const Lanes& l, std::size_t i, const Options& options, Contact* out) {
+  const EllipsoidChunk& c = l.chunk;
+  const Answer r{c.outcome[i], c.iterations[i],  c.gap[i],          c.lower[i],
+                 c.upper[i],   get(c.normal, i), get(c.inner_a, i), get(c.inner_b, i)};
+  if (r.outcome == Answer::solved)
+    ::new (static_cast<void*>(out)) Contact(contact_of(r, get(c.in + 24, i), l.view[i]));
+  else if (r.outcome == Answer::proven)
+    ::new (static_cast<void*>(out)) Contact(proof(r.lower, r.normal, l.view[i], r.iterations));
+  else
+    ::new (static_cast<void*>(out)) Contact(climbed(pair_of(c, i), l.view[i], r, options));
+}
+
+}  // namespace
+
+void SupportNewton::query_chunk(KindPair<shapes::Ellipsoid, shapes::Ellipsoid>, std::size_t n, const Body* a,
+                                const Body* b, const Vec3d* offset, const Options& options, Cache* cache,
+                                Contact* out) {
+  Lanes l;
+  for (std::size_t first = 0; first < n; first += EllipsoidChunk::size) {
+    const std::size_t last = std::min(n, first + EllipsoidChunk::size);
+    std::size_t count = 0;
+    bool axes = false;
+    for (std::size_t i = first; i < last; ++i) {
+      View& view = l.view[count];
+      if (!view_of(a[i].size, b[i].size, offset[i], view)) {
+        out[i] = refused();
+        continue;
+      }
+      const Vec3d axis = axis_of(a[i].rotation, options, cache == nullptr ? nullptr : cache + i, view);
+      axes = axes || dot(axis, axis) > 0;
+      put_pair(l.chunk, count, a[i], b[i], offset[i], axis, view);
+      l.pair[count++] = i;
+    }
+    if (count == 0) continue;
+    pad(l.chunk, count);
+    if (options.overlap_only && axes) {
+      count = end_at_axis(l, count, out);
+      if (count == 0) continue;
+      pad(l.chunk, count);
+    }
+    if (!options.warm_start)
+      for (int k = 27; k < 30; ++k) std::fill(std::begin(l.chunk.in[k].v), std::end(l.chunk.in[k].v), 0);
+    kernels::pair_kernels().ellipsoid_search(l.chunk, count, options.overlap_only);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t k = l.pair[i];
+      answer(l, i, options, out + k);
+      if (cache != nullptr) leave_axis(a[k].rotation, options, out[k], cache[k]);
+    }
+  }
 }
 
 }  // namespace contact
