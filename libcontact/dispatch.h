@@ -19,7 +19,9 @@ struct Body {
   const void* geometry = nullptr;      // the shape of kinds that are not given by `size` alone
   Vec3d size{};                        // sphere, disc: (radius, -, -); ellipsoid: semi-axes; ellipse: (a, b, -);
                                        // rounded polyhedron: (scale, rounding radius, -); others: (scale, -, -)
-  Mat3d rotation = Mat3d::identity();  // body -> world; plane: normal = third column; line: normal = second column
+  Mat3d rotation = Mat3d::identity();  // body -> world; plane: normal = third column; line: normal = second column.
+                                       // Orthonormal to 4 eps: not checked but for NaN and infinity, and no bound of an
+                                       // answer holds without it
 };
 
 // Radius of a ball about the body's origin that holds it, m; 0 of planes and lines, which none holds.

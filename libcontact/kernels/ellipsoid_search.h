@@ -63,9 +63,11 @@ class EllipsoidSearch {
     unit_ = T(0x1p-52) * extent_;
   }
 
-  // Support separation along n, and whether that alone proves that the pair is apart.
+  // Support separation along n; above the margin it proves that the pair is apart. −1 of bodies without extent: their
+  // rotation is none.
   [[gnu::always_inline]] T separation(const V& n) const {
-    return dot(n, d_) - (norm(transposed_times(a_, n)) + norm(transposed_times(b_, n)));
+    const T ha = norm(transposed_times(a_, n)), hb = norm(transposed_times(b_, n));
+    return select(ha > T(0) && hb > T(0), dot(n, d_) - (ha + hb), T(-1));
   }
   [[gnu::always_inline]] T margin() const { return T(64) * unit_; }
   [[gnu::always_inline]] T allowance() const { return T(16) * unit_; }
@@ -91,6 +93,7 @@ class EllipsoidSearch {
     for (int trial = 0;; ++trial) {
       const V u = transposed_times(a_, n), v = transposed_times(b_, n);
       const T ha = norm(u), hb = norm(v);
+      usable = usable && ha > T(0) && hb > T(0);
       inverse_a = T(1) / ha;
       inverse_b = T(1) / hb;
       xa = a_ * (u * inverse_a);
@@ -110,7 +113,7 @@ class EllipsoidSearch {
       const auto accepted = usable && f >= f_best - T(2) * unit_;
       const T reach = T(2) * (m + f);
       const auto settled = gain * aspect <= T(8) * unit_ && (excess <= T(8) * unit_ * reach || reach <= T(0));
-      if (stop_at_proof) proof = proof || (!done && f > margin());
+      if (stop_at_proof) proof = proof || (usable && !done && f > margin());
       iterations = select(done, iterations, T(trial + 1));
       done = done || proof || (accepted && at_maximum && settled);
       apart = reach > T(0);

@@ -248,7 +248,8 @@ EllipsoidAnswer<double> climb_ellipsoids(const EllipsoidPair<double>& bodies, co
   pair.aspect = std::max(ra / ca, rb / cb);
   pair.ball_gap = distance - (ca + cb);
   const Point first = evaluate(pair, dot(start, start) > 0 ? start : cold_start(pair));
-  if (!(std::abs(first.f) <= 16)) {  // extent is below 4: a rotation that is not finite
+  // The extent is below 4: a rotation that is not finite, or zero.
+  if (!(std::abs(first.f) <= 16 && first.ha > 0 && first.hb > 0)) {
     certainty = Certainty::none;
     return {};
   }

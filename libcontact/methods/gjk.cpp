@@ -208,6 +208,9 @@ void compare_features(Best& best, double size) {
       if (norm(c.b - c.a) > close) continue;
       best.points(c.a, c.b);
       best.direction(c.normal);
+      // Of nearly parallel edges the common perpendicular is known to eps over their angle only. The points are known
+      // to eps L: across one edge their difference is off by eps L/gap about it, which moves neither edge's ends.
+      best.direction(perpendicular(c.b - c.a, e));
     }
   }
 }

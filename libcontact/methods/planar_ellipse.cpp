@@ -106,7 +106,8 @@ Contact ellipse_pair(const Placed<shapes::Ellipse>& a, const Placed<shapes::Elli
   Vec3d start;
   length_and_direction(pair.d, start);
   if (start.z != 0) start = pair.a.b < pair.a.a ? pair.a.y : pair.a.x;  // one centre
-  if (!(std::abs(evaluate(pair, start).f) <= 16)) return refused();     // a rotation that is not finite
+  const Point first = evaluate(pair, start);
+  if (!(std::abs(first.f) <= 16 && std::isfinite(first.residual))) return refused();  // a rotation not finite, or zero
   Root best = climb(pair, start);
   if (!best.converged || !(best.point.f + pair.least_radius > 0)) {
     // More than one maximum may exist. As f(−n) = f(n) − 2 n·d, the global one has n·d >= 0.

@@ -46,7 +46,8 @@ Contact round_pair(const A& a, const B& b, const Vec3d& offset, const Options& o
     if (proves(p)) return separation_proof(p.f - (p.a.excess + p.b.excess), 2 * pair.extent, p.n, scale.up);
   }
   const auto start = pair.cold_start();
-  if (!(std::abs(start.f) <= 16)) return refused();  // extent is below 4: a rotation that is not finite
+  // The extent is below 4: a rotation that is not finite, or zero.
+  if (!(std::abs(start.f) <= 16 && start.a.height > 0)) return refused();
   const double m = pair.least_curvature_radius();
   auto root = pair.climb(start, options.overlap_only);
   if (!root.converged || root.point.f + m <= 0) root = pair.search_deep(root);

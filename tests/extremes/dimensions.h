@@ -53,4 +53,7 @@ struct Outcome {
 contact::Contact ask(const Case& c, std::string_view method);
 Outcome judge(const Case& c, const contact::Contact& got);
 
+// The same case in units of 2^300 and 2^-300: every bit of the answer but the exponents.
+bool scales(const Case& c, std::string_view method, const contact::Contact& got);
+
 }  // namespace extremes

@@ -39,4 +39,21 @@ Outcome judge(const Case& c, const contact::Contact& got) {
   return o;
 }
 
+bool scales(const Case& c, std::string_view method, const contact::Contact& got) {
+  if (got.status == contact::Status::refused) return true;
+  for (const double unit : {0x1p300, 0x1p-300}) {
+    Case other = c;
+    other.a.size *= unit;
+    other.b.size *= unit;
+    other.offset *= unit;
+    if (other.offset * (1 / unit) != c.offset) continue;  // bits were lost below the smallest double
+    const contact::Contact x = ask(other, method);
+    if (x.status != got.status || x.gap != unit * got.gap || x.gap_lower != unit * got.gap_lower ||
+        x.gap_upper != unit * got.gap_upper || x.normal != got.normal || x.point_a != unit * got.point_a ||
+        x.point_b != unit * got.point_b || x.patch.centre != unit * got.patch.centre)
+      return false;
+  }
+  return true;
+}
+
 }  // namespace extremes
