@@ -5,10 +5,15 @@
 #include <tuple>
 
 #include "libcontact/methods/analytic.h"
+#include "libcontact/methods/clip.h"
+#include "libcontact/methods/clip_volume.h"
 #include "libcontact/methods/common_normal.h"
+#include "libcontact/methods/constrained_minimisation.h"
 #include "libcontact/methods/features.h"
 #include "libcontact/methods/geometric_potential.h"
+#include "libcontact/methods/gjk_epa.h"
 #include "libcontact/methods/intersection_midpoint.h"
+#include "libcontact/methods/mpr.h"
 #include "libcontact/methods/perram_wertheim.h"
 #include "libcontact/methods/planar.h"
 #include "libcontact/methods/polyhedron_plane.h"
@@ -16,10 +21,12 @@
 #include "libcontact/methods/rounded.h"
 #include "libcontact/methods/sat.h"
 #include "libcontact/methods/support_newton.h"
+#include "libcontact/methods/vertex_triangle.h"
 
 namespace contact {
 
 using Methods = std::tuple<Analytic, PolyhedronPlane, SupportNewton, Sat, Features, Rounded, Potential, Planar,
-                           PerramWertheim, GeometricPotential, CommonNormal, IntersectionMidpoint>;
+                           PerramWertheim, GeometricPotential, CommonNormal, IntersectionMidpoint, Clip, VertexTriangle,
+                           ClipVolume, ConstrainedMinimisation, Mpr, GjkEpa>;
 
 }  // namespace contact

@@ -90,9 +90,11 @@ Result carry_out(const Validation& validation, const std::string& folder, int th
   Runs runs((std::filesystem::path(scenes_folder()) / validation.scene).string(), folder, threads);
   try {
     result.rows = validation.check(runs);
-    Row certified = for_information("answers that are not certified", 0);
-    certified.got = fmt::format("{} of {}", runs.uncertified(), runs.contact_steps());
-    result.rows.push_back(certified);
+    if (runs.contact_steps() > 0) {
+      Row certified = for_information("answers that are not certified", 0);
+      certified.got = fmt::format("{} of {}", runs.uncertified(), runs.contact_steps());
+      result.rows.push_back(certified);
+    }
   } catch (const InputError& error) {
     result.rows.push_back(is_true("the scene is accepted", false, "accepted", error.what()));
   } catch (const RunError& error) {

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "libcontact/dispatch.h"
 #include "tests/program/program.h"
 
 namespace {
@@ -74,6 +76,39 @@ TEST(ContactCases, EveryCaseIsAnsweredWithinItsTolerance) {
   EXPECT_EQ(answered, 77);
   EXPECT_LE(unproven, 3);
   EXPECT_NE(o.out.find("77 of 77 cases within tolerance"), std::string::npos) << o.out;
+}
+
+// Whatever the method: the bounds of an answer hold the known gap, the lower one always, the upper one when certified.
+// An exact method is within the tolerance as well; how many answers of an approximate one are is printed.
+TEST(ContactCases, BoundsOfEveryMethodHold) {
+  const json cases = json::parse(program::read(cases_file))["cases"];
+  const double inf = std::numeric_limits<double>::infinity();
+  std::map<std::string, bool> methods;
+  for (const auto* m = contact::methods_begin(); m != contact::methods_end(); ++m)
+    methods[std::string(m->name)] = m->exact;
+  for (const auto& [method, exact] : methods) {
+    SCOPED_TRACE(method);
+    const Folder folder;
+    program::dem({"contact", cases_file, "--method", method, "--json", folder.path("out.json")});
+    const json results = json::parse(program::read(folder.path("out.json")))["results"];
+    ASSERT_EQ(results.size(), cases.size());
+    int asked = 0, within = 0;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      const json &r = results[i], &e = cases[i]["expect"];
+      if (r["status"] == "refused") continue;  // not its pair
+      SCOPED_TRACE(cases[i]["id"].get<std::string>());
+      ++asked;
+      const double known = e["signed_gap"], tolerance = e["abs_tol"];
+      EXPECT_LE(r["gap_lower"].get<double>(), std::nextafter(known, inf));
+      if (r["certified"]) {
+        EXPECT_GE(r["gap_upper"].get<double>(), std::nextafter(known, -inf));
+      }
+      const bool right = std::abs(r["gap"].get<double>() - known) <= tolerance;
+      EXPECT_TRUE(right || !exact);
+      within += right;
+    }
+    std::printf("%-25s %2d of %2d within tolerance\n", method.c_str(), within, asked);
+  }
 }
 
 std::string sphere_case(const std::string& id, const std::string& x) {
