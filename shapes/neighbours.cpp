@@ -18,7 +18,8 @@ void add_spokes(Polyhedron& p) {
     const Polyhedron::Face& face = p.faces[f];
     for (std::uint32_t i = 0; i < face.count; ++i) {
       const auto at = [&](std::uint32_t k) { return p.face_vertices[face.first + k % face.count]; };
-      around[at(i)].push_back({{at(i + 1), p.face_edges[face.first + i], f}, at(i + face.count - 1)});
+      around[at(i)].push_back(
+          {{p.vertices[at(i + 1)], at(i + 1), p.face_edges[face.first + i], f}, at(i + face.count - 1)});
     }
   }
   p.first_spoke.assign(1, 0);
@@ -45,8 +46,7 @@ void add_rises(Polyhedron& p) {
     double highest = -std::numeric_limits<double>::infinity();
     for (const std::uint32_t v : loop)
       for (std::uint32_t k = p.first_spoke[v]; k < p.first_spoke[v + 1]; ++k)
-        if (const std::uint32_t u = p.spokes[k].vertex; last_face[u] != f)
-          highest = std::fmax(highest, dot(face.normal, p.vertices[u]));
+        if (last_face[p.spokes[k].vertex] != f) highest = std::fmax(highest, dot(face.normal, p.spokes[k].to));
     p.face_rise.push_back(face.offset - highest);
   }
 }
@@ -62,8 +62,7 @@ void add_lookup(Polyhedron& p) {
       const std::uint32_t here = from;
       from = static_cast<std::uint32_t>(p.vertices.size());
       for (std::uint32_t k = p.first_spoke[here]; k < p.first_spoke[here + 1]; ++k)
-        if (const std::uint32_t u = p.spokes[k].vertex; dot(d, p.vertices[u]) > dot(d, p.vertices[best]))
-          best = from = u;
+        if (dot(d, p.spokes[k].to) > dot(d, p.vertices[best])) best = from = p.spokes[k].vertex;
     }
     p.lookup.push_back(best);
   }

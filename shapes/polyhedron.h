@@ -36,6 +36,7 @@ struct Polyhedron {
   std::vector<Edge> edges;
 
   struct Spoke {           // an edge as seen from one of its vertices
+    Vec3d to;              // where the other one is: a walk reads the spokes of a vertex, one after the other
     std::uint32_t vertex;  // the other one
     std::uint32_t edge;
     std::uint32_t face;  // between this spoke and the next

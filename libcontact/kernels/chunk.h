@@ -7,6 +7,7 @@
 #include <span>
 
 #include "libcontact/export.h"
+#include "libcontact/kernels/extreme.h"
 #include "libcontact/kernels/lattice.h"
 #include "libcontact/kernels/pair_chunks.h"
 #include "libcontact/kernels/records.h"
@@ -93,6 +94,7 @@ struct KernelSet {
   StoreSlotsKernel store_slots;  // force, couple, couple_b
   SumKernel sum_slots;
   PairKernels pairs;
+  SearchKernels search;
 };
 
 // The best set this processor runs; the environment variable DEM_SIMD (sse2 | avx2 | avx512) asks for another. Every

@@ -2,6 +2,7 @@
 // on whatever numbers they hold and are never read.
 #include <limits>
 
+#include "libcontact/kernels/extreme_sets.h"
 #include "libcontact/kernels/gather.h"
 #include "libcontact/laws/normal/hertz.h"
 #include "libcontact/laws/normal/linear.h"
@@ -168,7 +169,8 @@ const KernelSet& kernel_set() {
                                  store_history,
                                  store_slots,
                                  sum_slots,
-                                 {ellipsoid_proofs, ellipsoid_search}};
+                                 {ellipsoid_proofs, ellipsoid_search},
+                                 {lowest, lowest_two}};
   return set;
 }
 

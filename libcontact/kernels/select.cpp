@@ -60,4 +60,9 @@ const KernelSet& kernels() {
 
 const PairKernels& pair_kernels() { return kernels().pairs; }
 
+const SearchKernels& search_kernels() {
+  static const SearchKernels& search = kernels().search;
+  return search;
+}
+
 }  // namespace contact::kernels

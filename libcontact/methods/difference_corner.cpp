@@ -5,8 +5,7 @@
 namespace contact {
 namespace {
 
-std::uint32_t highest(const shapes::Polyhedron& p, const Vec3d& direction) {
-  if (p.vx.size() <= scan_limit) return highest_vertex(p, direction).index;
+std::uint32_t climb_from_lookup(const shapes::Polyhedron& p, const Vec3d& direction) {
   return climb(p, direction, p.lookup[shapes::lookup_patch(direction, p.lookup_cells)]).index;
 }
 
@@ -38,8 +37,18 @@ std::uint32_t edge_of(const shapes::Polyhedron& p, std::uint32_t u, std::uint32_
 
 Corner support(const PolyhedronPair& pair, const Vec3d& n) {
   Corner c;
-  c.a = highest(*pair.self, n);
-  c.b = highest(*pair.other, -transposed_times(pair.other_to_self, n));
+  const Vec3d m = transposed_times(pair.other_to_self, n);
+  const kernels::Points a = points_of(*pair.self), b = points_of(*pair.other);
+  const bool scan_a = a.count <= scan_limit, scan_b = b.count <= scan_limit;
+  if (scan_a && scan_b) {
+    Extreme found[2];
+    kernels::search_kernels().lowest_two(a, -n, b, m, found);
+    c.a = found[0].index;
+    c.b = found[1].index;
+  } else {
+    c.a = scan_a ? highest_vertex(*pair.self, n).index : climb_from_lookup(*pair.self, n);
+    c.b = scan_b ? lowest_vertex(*pair.other, m).index : climb_from_lookup(*pair.other, -m);
+  }
   c.at = pair.self_vertex(c.a) - pair.other_vertex(c.b);
   return c;
 }

@@ -20,8 +20,9 @@ struct Next {
 Next lowest_neighbour(const shapes::Polyhedron& p, const Vec3d& m, std::uint32_t v, std::uint32_t except) {
   Next next;
   for (std::uint32_t k = p.first_spoke[v]; k < p.first_spoke[v + 1]; ++k) {
-    const std::uint32_t u = p.spokes[k].vertex;
-    if (const double value = dot(m, p.vertices[u]); u != except && value < next.value) next = {value, u};
+    const auto& spoke = p.spokes[k];
+    if (const double value = dot(m, spoke.to); spoke.vertex != except && value < next.value)
+      next = {value, spoke.vertex};
   }
   return next;
 }
@@ -52,19 +53,20 @@ Nearest prove_face(const PolyhedronPair& pair, const Vec3d& core, double core_ra
   }
   value = between(pair, f.normal, low, f.offset);
   const Vec3d tip = pair.other_vertex(vertex);
-  double square = infinity;
+  double square = infinity, length = 1;  // of the nearest side: square of the cross product, of the side
   const std::uint32_t* loop = self.face_vertices.data() + f.first;
   Vec3d p = pair.self_vertex(loop[f.count - 1]);
   for (std::uint32_t k = 0; k < f.count; ++k) {
     const Vec3d q = pair.self_vertex(loop[k]), e = q - p;
     const double within = dot(cross(f.normal, e), tip - p);
     if (!(within > 0)) return Nearest::elsewhere;
-    square = std::min(square, within * within / dot(e, e));
+    if (const double s = within * within, l = dot(e, e); s * length < square * l) square = s, length = l;
     p = q;
   }
   const double rise = std::min(pair.other_scale * (next.value - low), pair.self_scale * self.face_rise[face]);
-  return facet_is_alone(-value, std::sqrt(square), rise, f.normal, core, core_radius, size, enclosed) ? Nearest::proven
-                                                                                                      : Nearest::open;
+  return facet_is_alone(-value, std::sqrt(square / length), rise, f.normal, core, core_radius, size, enclosed)
+             ? Nearest::proven
+             : Nearest::open;
 }
 
 Nearest prove_edges(const DifferencePair& pair, std::uint32_t edge_a, std::uint32_t edge_b, FacetAxis& axis,
@@ -100,12 +102,6 @@ Nearest prove_edges(const DifferencePair& pair, std::uint32_t edge_a, std::uint3
 }
 
 }  // namespace
-
-DifferencePair::DifferencePair(const PolyhedronPair& pair, double extent) : PolyhedronPair(pair), size(extent) {
-  const CoreBall a = core_ball(*self), b = core_ball(*other);
-  core = self_scale * a.centre - (other_to_self * (other_scale * b.centre) + offset);
-  core_radius = self_scale * a.radius + other_scale * b.radius;
-}
 
 FacetAxis axis_of(const DifferencePair& pair, const DifferenceFacet& facet) {
   if (facet.kind == DifferenceFacet::face_of_a)

@@ -28,7 +28,11 @@ struct DifferencePair : PolyhedronPair {
   double core_radius;  // r
   double size;         // L of the pair
 
-  DifferencePair(const PolyhedronPair& pair, double size);
+  DifferencePair(const PolyhedronPair& pair, double extent) : PolyhedronPair(pair), size(extent) {
+    const CoreBall a = core_ball(*self), b = core_ball(*other);
+    core = self_scale * a.centre - (other_to_self * (other_scale * b.centre) + offset);
+    core_radius = self_scale * a.radius + other_scale * b.radius;
+  }
 };
 
 // The axis of a facet of a complete search, whose supports are known.

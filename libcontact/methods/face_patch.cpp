@@ -40,7 +40,7 @@ bool add_tip(const shapes::Polyhedron& p, const DepthMap& map, std::uint32_t tip
   const Vec3d x = p.vertices[tip];
   double square = 0;
   for (std::uint32_t k = 0; k < count; ++k) {
-    const Vec3d e = p.vertices[p.spokes[first + k].vertex] - x;
+    const Vec3d e = p.spokes[first + k].to - x;
     const double rise = map.scale * dot(map.normal, e);
     if (!(rise > depth)) return false;
     const double t = map.scale * (depth / rise);

@@ -29,16 +29,22 @@ inline bool facet_is_alone(double d, double reach, double rise, const Vec3d& n, 
   const double margin = proof_clearance * size;
   if (!(d > margin && reach > 0x1p-20 * size)) return false;
   // Up to an angle of 2 margin / reach a facet could be as near as F; one with a vertex that F has not is not there.
-  if (!(rise > 4 * margin * size / reach + 16 * epsilon * size)) return false;
-  const double t = std::min(0.875 * reach / d, 8.0);  // tan(θ/2) where (2) takes over from (1)
+  if (!(rise * reach > (4 * margin + 16 * epsilon * reach) * size)) return false;
+  // tan(θ/2) where (2) takes over from (1)
+  const bool shallow = 0.875 * reach >= 8 * d;
+  const double t = shallow ? 8 : 0.875 * reach / d;
   // What is as near as F passes over F, at an angle of at most √(2 margin / d), where (1) holds.
   if (enclosed) return t * t * d > 2 * margin;
-  const double w = 1 / (1 + t * t), sine = 2 * t * w, cosine = (1 - t * t) * w;
+  const double w = shallow ? 1.0 / 65 : 1 / (1 + t * t), sine = 2 * t * w, cosine = (1 - t * t) * w;
   if (!(sine * (reach - d * t) > margin)) return false;
   const double along = dot(core, n);
-  const double across = norm(core - along * n);
-  return along * cosine - across * sine + core_radius > d + margin &&  // and it grows from there to θ = π:
-         along * sine + across * cosine <= 0;
+  const Vec3d rest = core - along * n;
+  const double square = dot(rest, rest);  // k_t²
+  const double above = along * cosine + core_radius - (d + margin), turn = along * sine;
+  if (!(above > 0 && above * above > square * (sine * sine))) return false;
+  // and it grows from there to θ = π: turn + k_t cos θ <= 0
+  const double bound = square * (cosine * cosine);
+  return cosine <= 0 ? turn <= 0 || turn * turn <= bound : turn <= 0 && turn * turn >= bound;
 }
 
 }  // namespace contact

@@ -110,7 +110,9 @@ bool for_each_submerged_near(const shapes::Polyhedron& p, const DepthMap& map, s
   for (std::size_t i = 0; i < count; ++i)
     for (std::uint32_t k = p.first_spoke[below[i]]; k < p.first_spoke[below[i] + 1]; ++k) {
       const std::uint32_t u = p.spokes[k].vertex;
-      if (!(depth_of(u) > 0) || std::find(below, below + count, u) != below + count) continue;
+      if (!(map.h0 - map.scale * dot(map.normal, p.spokes[k].to) > 0) ||
+          std::find(below, below + count, u) != below + count)
+        continue;
       if (count == cap) return false;
       below[count++] = u;
     }

@@ -80,26 +80,51 @@ struct Frame {
   }
 };
 
-// `lower`, in metres, bounds the gap from below along a direction in world axes: nothing more is asked.
-void stop_at(Contact& c, double lower, const Vec3d& normal) {
-  c.status = Status::separated;
-  c.certified = true;
-  c.gap = c.gap_lower = lower;
-  c.gap_upper = infinity;
-  c.normal = c.method_normal = normal;
-  c.method_overlap = -lower;
+// `lower`, in metres, bounds the gap from below along a direction in world axes: nothing more is asked. Every member is
+// named: to clear the answer first would cost as much as the proof.
+Contact stopped_at(double lower, const Vec3d& normal) {
+  return {.status = Status::separated,
+          .certified = true,
+          .gap = lower,
+          .gap_lower = lower,
+          .gap_upper = infinity,
+          .normal = normal,
+          .point_a = {},
+          .point_b = {},
+          .patch = {.centre = {}, .spread = {0, 0, 0, 0, 0, 0}, .weight = 0},
+          .method_overlap = -lower,
+          .method_normal = normal,
+          .method_point = {},
+          .iterations = 0};
 }
 
-// The highest vertex along a direction, from one that was the highest a step ago.
-Extreme highest_again(const shapes::Polyhedron& p, const Vec3d& direction, std::uint32_t& from) {
-  if (p.vx.size() <= scan_limit / 2) return highest_vertex(p, direction);
-  const Extreme found = climb(p, direction, from < p.vertices.size() ? from : 0);
-  from = found.index;
-  return found;
+// A lower bound of the separation along n of A's frame, `back` in B's the other way, in metres. On large bodies by
+// walks from the vertices in `hint`, which are moved; both at once on small ones.
+double bound_along(const Solid& a, const Solid& b, double between, const Vec3d& n, const Vec3d& back, double extent,
+                   std::uint32_t* hint) {
+  constexpr std::size_t small = 16;
+  if (a.shape->vx.size() > small || b.shape->vx.size() > small) {
+    const auto reach = [&](const Solid& s, const Vec3d& direction, std::uint32_t& from) {
+      const Extreme found = climb(*s.shape, direction, from < s.shape->vertices.size() ? from : 0);
+      from = found.index;
+      return s.scale * found.value;
+    };
+    std::uint32_t on_a = hint[0], on_b = hint[1];
+    const double value = between - reach(a, n, on_a) - reach(b, back, on_b);
+    // What a walk may have missed is settled by looking at every vertex where it could matter.
+    if (value > 0x1p-30 * extent) {
+      hint[0] = on_a;
+      hint[1] = on_b;
+      return value;
+    }
+  }
+  Extreme lowest[2];
+  kernels::search_kernels().lowest_two(points_of(*a.shape), -n, points_of(*b.shape), -back, lowest);
+  return between + a.scale * lowest[0].value + b.scale * lowest[1].value;
 }
 
-// Does the axis in the cache still separate the bodies?
-bool still_apart(const Solid& a, const Solid& b, const Vec3d& offset, Cache& cache, Contact& c) {
+// Does the axis in the cache still separate the bodies? Then `lower` bounds their gap, `world` is the axis.
+bool still_apart(const Solid& a, const Solid& b, const Vec3d& offset, Cache& cache, double& lower, Vec3d& world) {
   Vec3d n = cache.axis;
   const double square = dot(n, n);
   if (!(std::abs(square - 1) <= 16 * epsilon)) {
@@ -108,20 +133,12 @@ bool still_apart(const Solid& a, const Solid& b, const Vec3d& offset, Cache& cac
   const double extent = std::abs(offset.x) + std::abs(offset.y) + std::abs(offset.z) +
                         (a.scale * a.shape->circumradius + b.scale * b.shape->circumradius);
   if (!(a.scale > 0 && b.scale > 0 && extent_in_range(extent))) return false;
-  const Vec3d world = a.rotation * n;
-  const Vec3d back = -transposed_times(b.rotation, world);
-  std::uint32_t on_a = cache.feature[0], on_b = cache.feature[1];
-  const double between = dot(world, offset);
-  double value =
-      between - a.scale * highest_again(*a.shape, n, on_a).value - b.scale * highest_again(*b.shape, back, on_b).value;
-  // What a walk may have missed is settled by looking at every vertex where it could matter.
-  if (!(value > 0x1p-30 * extent))
-    value = between - a.scale * highest_vertex(*a.shape, n).value - b.scale * highest_vertex(*b.shape, back).value;
+  world = a.rotation * n;
+  const double value =
+      bound_along(a, b, dot(world, offset), n, -transposed_times(b.rotation, world), extent, cache.feature);
   if (!(value > proof_margin(extent))) return false;
   cache.axis = n;
-  cache.feature[0] = on_a;
-  cache.feature[1] = on_b;
-  stop_at(c, value - polyhedron_rounding * extent, world);
+  lower = value - polyhedron_rounding * extent;
   return true;
 }
 
@@ -195,7 +212,7 @@ void solve(const Solid& a, const Solid& b, const Vec3d& offset, const Options& o
   const Frame frame{a.rotation, b.rotation, d_world, unit.up, length + reach};
   const double enough = options.overlap_only ? proof_margin(frame.size) : infinity;
   const auto apart_along = [&](double value, const Vec3d& world) {
-    stop_at(c, (value - polyhedron_rounding * frame.size) * unit.up, world);
+    c = stopped_at((value - polyhedron_rounding * frame.size) * unit.up, world);
   };
   const DifferencePair pair(
       {a.shape,
@@ -241,12 +258,8 @@ void solve(const Solid& a, const Solid& b, const Vec3d& offset, const Options& o
   overlap(pair, facet, axis, frame, c);
 }
 
-}  // namespace
-
-Contact Sat::query(const Placed<shapes::Polyhedron>& a, const Placed<shapes::Polyhedron>& b, const Vec3d& offset,
-                   const Options& options, Cache* cache) {
+Contact answer(const Solid& a, const Solid& b, const Vec3d& offset, const Options& options, Cache* cache) {
   Contact c;
-  if (options.overlap_only && cache != nullptr && still_apart(a, b, offset, *cache, c)) return c;
   c.gap_lower = -infinity;
   c.gap_upper = infinity;
   if (seen_from_b(offset)) {
@@ -256,6 +269,17 @@ Contact Sat::query(const Placed<shapes::Polyhedron>& a, const Placed<shapes::Pol
     solve(a, b, offset, options, {cache, false, a, b}, c);
   }
   return c;
+}
+
+}  // namespace
+
+Contact Sat::query(const Placed<shapes::Polyhedron>& a, const Placed<shapes::Polyhedron>& b, const Vec3d& offset,
+                   const Options& options, Cache* cache) {
+  double lower = 0;
+  Vec3d n{};
+  if (options.overlap_only && cache != nullptr && still_apart(a, b, offset, *cache, lower, n))
+    return stopped_at(lower, n);
+  return answer(a, b, offset, options, cache);
 }
 
 }  // namespace contact

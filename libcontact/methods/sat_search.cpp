@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <experimental/simd>
 #include <limits>
 
 #include "libcontact/methods/edge_arcs.h"

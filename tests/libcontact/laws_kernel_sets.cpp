@@ -1,9 +1,12 @@
 // Every kernel set of this processor answers the same chunks with the same bits, and those of the scalar laws.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "libcontact/kernels/chunk.h"
 #include "libcontact/laws/mix.h"
@@ -122,6 +125,37 @@ TEST(KernelSets, SphereKernelsGiveTheSameBits) {
       sets[k]->sphere_torques(s, other, chunk_size);
       EXPECT_TRUE(same_bits(first, other)) << sets[k]->name << ", seed " << seed;
     }
+  }
+}
+
+// The first of the lowest points, ties and numbers that do not compare included.
+TEST(KernelSets, TheLowestPointIsTheFirstOfTheLowest) {
+  for (const KernelSet* set : kernel_sets()) {
+    Draw draw(5);
+    for (const std::size_t count : {8u, 16u, 24u, 56u, 200u})
+      for (int round = 0; round < 40; ++round) {
+        std::vector<double> x, y, z;
+        for (std::size_t i = 0; i < count; ++i) {
+          const auto whole = [&] { return std::round(draw.in(-2, 2)); };
+          x.push_back(whole());
+          y.push_back(whole());
+          z.push_back(whole());
+        }
+        const Points points{x.data(), y.data(), z.data(), count};
+        const shapes::Vec3d n{std::round(draw.in(-2, 2)), 1, draw.in(-1, 1)};
+        std::size_t least = 0;
+        const auto value = [&](std::size_t i) { return n.x * x[i] + n.y * y[i] + n.z * z[i]; };
+        for (std::size_t i = 1; i < count; ++i) least = value(i) < value(least) ? i : least;
+        contact::Extreme two[2];
+        set->search.lowest_two(points, n, points, -n, two);
+        for (const contact::Extreme& found : {set->search.lowest(points, n), two[0]}) {
+          EXPECT_EQ(found.index, least) << set->name;
+          EXPECT_EQ(found.value, value(least)) << set->name;
+        }
+        EXPECT_EQ(two[1].index, set->search.lowest(points, -n).index);
+        const double nan = std::numeric_limits<double>::quiet_NaN();
+        EXPECT_EQ(set->search.lowest(points, {nan, 0, 0}).index, 0u);
+      }
   }
 }
 
