@@ -12,7 +12,7 @@
 // simplex or face gives.
 //
 // Source: E. Gilbert, D. Johnson & S. Keerthi, IEEE J. Robot. Autom. 4 (1988) 193; G. van den Bergen, GDC 2001. Cost:
-// 1–3 us apart, 5–40 us overlapping. Tests: tests/libcontact/convex_methods.cpp, contract.cpp.
+// not measured yet. Tests: tests/libcontact/convex_methods.cpp, contract.cpp.
 #pragma once
 
 #include "libcontact/contact.h"

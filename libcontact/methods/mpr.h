@@ -10,8 +10,8 @@
 // centres. gap is that separation along n, the upper bound that of the balls inside, which may be far. 200 steps end as
 // not_converged. Inner points that coincide with the origin are handed over.
 //
-// Source: G. Snethen, in Game Programming Gems 7 (2008). Cost: 1–4 us. Tests: tests/libcontact/convex_methods.cpp,
-// contract.cpp.
+// Source: G. Snethen, in Game Programming Gems 7 (2008). Cost: not measured yet. Tests:
+// tests/libcontact/convex_methods.cpp, contract.cpp.
 #pragma once
 
 #include "libcontact/contact.h"
