@@ -50,10 +50,13 @@ struct Contact {
 // `warm_start` (ellipsoid pairs; others ignore it): the normal of every answer is left in the cache, and the search
 // starts from the one that is found there. Answers then differ from cold ones within their intervals: a caller that
 // needs the same bits after another history leaves it off.
+// `tolerance`, relative to the smaller circumradius of the two (walls have none): a method may stop once its proven
+// interval is narrower than that; 0: as narrow as it can. Methods that have nothing to gain ignore it.
 struct Options {
   bool overlap_only = false;
   bool patch = true;
   bool warm_start = false;
+  double tolerance = 0;
 };
 
 // What an earlier query of the same pair left: used as a proof that is checked anew, and as a start only on request.
