@@ -1,7 +1,7 @@
 // From a pair of kinds to the code that answers it: looked up once per chunk of pairs, never per pair.
 //
 // Three doors to the same code: `query` (one pair, defaults or a named method) and `find` (a function over a chunk of
-// pairs of one bin). The table is derived from methods/list.h.
+// pairs of one bin). The table is derived from methods/list.h; extend.h makes it of other lists.
 #pragma once
 
 #include <cstddef>
@@ -29,6 +29,7 @@ CONTACT_API double circumradius(const Body& b);
 
 template <class S>
 Placed<S> placed(const Body& b) {
+  if constexpr (requires { Placed<S>::of(b); }) return Placed<S>::of(b);  // a shape of a host: extend.h
   if constexpr (std::is_same_v<S, shapes::Sphere>) return {b.size.x};
   if constexpr (std::is_same_v<S, shapes::Ellipsoid>) return {b.size, b.rotation};
   if constexpr (std::is_same_v<S, shapes::Polyhedron>)
@@ -53,11 +54,13 @@ using ChunkQuery = void (*)(std::size_t n, const Body* a, const Body* b, const V
                             Cache* cache, Contact* out);
 
 struct MethodInfo {
-  std::string_view name;    // "analytic", "support_newton", …
-  int cost_rank;            // static: lower is cheaper
-  shapes::Kind a, b;        // a <= b
-  bool certified;           // answers are certified over its whole range
-  bool exact;               // the gap is right to rounding; else it is the separation along the method's own normal
+  std::string_view name;  // "analytic", "support_newton", …
+  int cost_rank;          // static: lower is cheaper
+  shapes::Kind a, b;      // a <= b
+  bool certified;         // answers are certified over its whole range
+  bool exact;             // the gap is right to rounding; else it is the separation along the method's own normal
+  double reach;  // narrowest proven interval that it may be asked for, over the smaller circumradius: 0 of exact
+                 // methods, infinite of those that prove none
   std::string_view remark;  // one clause for the catalogue
 };
 
@@ -73,6 +76,11 @@ CONTACT_API ChunkQuery find(shapes::Kind a, shapes::Kind b, std::string_view met
 // The same for a law that acts on what the method measures: gap, normal and patch centre of the answer are
 // −method_overlap, method_normal and method_point where the method is approximate.
 CONTACT_API ChunkQuery find_own_measure(shapes::Kind a, shapes::Kind b, std::string_view method = "auto");
+
+// What `auto` asks where Options::tolerance > 0: the cheapest method whose reach it is, and after it, pair by pair and
+// marked `handed_over`, the dearer ones as long as no interval is proven and narrow enough. Of answers to
+// a tolerance, `gap_upper < 0` is what no proof of separation contradicts, from a cache or from elsewhere.
+CONTACT_API ChunkQuery find_within(shapes::Kind a, shapes::Kind b);
 
 // One pair in any order; normal points from a to b; vectors relative to a's origin. Status refused for an unknown pair.
 CONTACT_API Contact query(const Body& a, const Body& b, const Vec3d& offset, const Options& options = {},

@@ -37,7 +37,7 @@ struct Bin {
   shapes::Kind a = shapes::Kind::sphere, b = shapes::Kind::sphere;
   contact::ChunkQuery query = nullptr;  // null: sphere–sphere and sphere–plane, which have kernels of their own
   bool regions = false;                 // its pairs may touch in several regions
-  bool exact = true;                    // what the law acts on is the gap, not a measure of the method's own
+  bool exact = true;                    // answers agree with every proof of separation: no measure of a method's own
   std::vector<std::uint32_t> records;
   std::vector<std::uint32_t> a_index, b_index, pair;  // of each record: its bodies, its pair of materials; padded by 4
 };

@@ -52,6 +52,7 @@ class ForcePass {
  public:
   ForcePass(World& world, double dt)
       : world_(world), c_(world.contacts), p_(world.particles), set_(contact::kernels::kernels()), dt_(dt) {
+    wanted_.tolerance = world.scene.tolerance;
     options_ = {world.scene.law.rescale, world.scene.law.clip};
     hertz_ = world.scene.law.name == LawName::hertz_mindlin;
     lattice_ = world.cell.periodic ? &world.cell.lattice : nullptr;
@@ -66,6 +67,9 @@ class ForcePass {
   }
 
  protected:
+  // To a tolerance, contact is what is proven: a search that stops early and a proof of separation agree on it.
+  bool overlap(const contact::Contact& q) const { return (wanted_.tolerance > 0 ? q.gap_upper : q.gap) < 0; }
+
   void begin(std::size_t k, Scratch& s) const {
     if (c_.touching[k] != 0) return;
     c_.touching[k] = 1;
@@ -200,6 +204,7 @@ class ForcePass {
   const Particles& p_;
   const KernelSet& set_;
   double dt_;
+  contact::Options wanted_{.overlap_only = true, .patch = true};
   contact::LawOptions options_;
   bool hertz_ = true;
   const contact::Lattice* lattice_ = nullptr;  // null: bodies have no images

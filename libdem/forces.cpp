@@ -219,7 +219,7 @@ class PairPass : public ForcePass {
         answer_regions(s.a[i], s.b[i], s.offset[i], &c_.touching[k], &c_.centre[k], s.answer + i * step);
       }
     } else {
-      bin.query(pairs, s.a, s.b, s.offset, {.overlap_only = true, .patch = true}, s.cache, s.answer);
+      bin.query(pairs, s.a, s.b, s.offset, wanted_, s.cache, s.answer);
     }
     std::size_t n = 0;
     for (std::size_t j = 0; j < pairs * step; ++j) {
@@ -228,7 +228,7 @@ class PairPass : public ForcePass {
       if (!bin.regions) c_.cache[k] = s.cache[i];
       const bool refused = q.status == contact::Status::refused;
       if (refused || q.status == contact::Status::not_converged) ++t.not_converged;
-      if (refused || !(q.gap < 0)) {
+      if (refused || !overlap(q)) {
         forget(k, s);
         if (bin.regions || !bin.exact || !q.certified || !(q.gap_lower > 0)) continue;
         if (q.iterations == 0 && !(q.gap_upper < infinity)) ++t.by_axis;
@@ -236,6 +236,7 @@ class PairPass : public ForcePass {
         continue;
       }
       if (!q.certified) ++t.uncertified;
+      if (q.handed_over) ++t.handed_over;
       load_pair(n, bin.pair[first + r], s);
       const bool wall = c_.key[k].b >= wall_base;
       gather(k, n,
@@ -358,6 +359,7 @@ void book(World& world, const std::vector<Tally>& tally) {
     n.contact_steps += t.touching;
     n.not_converged += t.not_converged;
     n.uncertified += t.uncertified;
+    n.handed_over += t.handed_over;
   }
 }
 

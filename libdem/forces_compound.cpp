@@ -70,7 +70,7 @@ void CompoundPass::query(Working& w, Scratch& s, Tally& t) const {
     std::size_t n = 0;
     std::size_t of[chunk_size];
     const auto flush = [&] {
-      c_.part_queries[q].query(n, s.a, s.b, s.offset, {.overlap_only = true, .patch = true}, s.cache, s.answer);
+      c_.part_queries[q].query(n, s.a, s.b, s.offset, wanted_, s.cache, s.answer);
       for (std::size_t r = 0; r < n; ++r) {
         Meet& m = w.meets[of[r]];
         const contact::Contact& found = s.answer[r];
@@ -78,9 +78,10 @@ void CompoundPass::query(Working& w, Scratch& s, Tally& t) const {
         const bool refused = found.status == contact::Status::refused;
         if (refused || found.status == contact::Status::not_converged) ++t.not_converged;
         if (found.gap_lower > 0 && found.iterations == 0 && !(found.gap_upper < infinity)) ++t.by_axis;
-        m.touches = !refused && found.gap < 0;
+        m.touches = !refused && overlap(found);
         if (!m.touches) continue;
         if (!found.certified) ++t.uncertified;
+        if (found.handed_over) ++t.handed_over;
         const bool swapped = m.of_b.body.kind < m.of_a.body.kind;
         m.normal = swapped ? -found.normal : found.normal;
         m.patch = found.patch;

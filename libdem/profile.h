@@ -17,7 +17,8 @@ struct Tally {
   std::uint64_t by_spheres = 0;       // bounding spheres, or bounding sphere and half-space
   std::uint64_t by_axis = 0;          // a proof along one axis, as a rule the one that proved it last
   std::uint64_t touching = 0, not_converged = 0, uncertified = 0;
-  double seconds = 0;  // of a thread, laws included
+  std::uint64_t handed_over = 0;  // of the touching: another method than the first answered
+  double seconds = 0;             // of a thread, laws included
 
   Tally& operator+=(const Tally& t) {
     candidates += t.candidates;
@@ -27,6 +28,7 @@ struct Tally {
     touching += t.touching;
     not_converged += t.not_converged;
     uncertified += t.uncertified;
+    handed_over += t.handed_over;
     seconds += t.seconds;
     return *this;
   }

@@ -75,7 +75,8 @@ struct Wall {
 };
 
 struct Counters {
-  std::uint64_t rebuilds = 0, candidates = 0, queries = 0, contact_steps = 0, not_converged = 0, uncertified = 0;
+  std::uint64_t rebuilds = 0, candidates = 0, queries = 0, contact_steps = 0, not_converged = 0, uncertified = 0,
+                handed_over = 0;
   std::uint64_t deleted = 0, inserted = 0;
 };
 

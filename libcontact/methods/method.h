@@ -2,13 +2,17 @@
 //
 // A method is a struct without state, with the members
 //   name         the name that scenes and options use
-//   cost_rank    lower is cheaper; ranks the methods of one pair of kinds (a bench keeps it honest)
+//   cost_rank    lower is cheaper; ranks the methods of one pair of kinds (a bench keeps it honest); a number, or a
+//                template <class A, class B> of one
 //   remark       one clause for the catalogue
 //   certified    optional, true when absent: are all answers certified?
 //   exact        optional, true when absent: is the gap right to rounding? Else the method is approximate: its gap is
 //   the
 //                support separation along its own normal, never above the true one, `auto` never takes it, and its own
 //                measure counts in a scene that names it
+//   reach        optional: the narrowest proven interval that it may be asked for, over the smaller circumradius;
+//   absent:
+//                0 of an exact method, infinite of others
 //   query        static Contact (const Placed<A>&, const Placed<B>&, const Vec3d& offset, const Options&, Cache*),
 // one for each pair of kinds A <= B that it answers. It is added by naming it in methods/list.h; the
 // table, the catalogue and the property tests follow from the overloads that exist.
@@ -51,12 +55,28 @@ constexpr bool always_certified() {
   }
 }
 
+template <class M, class A, class B>
+constexpr int cost_of() {
+  if constexpr (requires { int(M::cost_rank); })
+    return M::cost_rank;
+  else
+    return M::template cost_rank<A, B>;
+}
+
 template <class M>
 constexpr bool is_exact() {
   if constexpr (requires { bool(M::exact); })
     return M::exact;
   else
     return true;
+}
+
+template <class M>
+constexpr double reach_of() {
+  if constexpr (requires { M::reach; })
+    return M::reach;
+  else
+    return is_exact<M>() ? 0 : std::numeric_limits<double>::infinity();
 }
 
 // The answer as a law sees it that acts on the method's own measure. A proof of separation, without points, stays.

@@ -174,6 +174,7 @@ void fill_bins(World& world) {
   bin_of.fill(-1);
   const std::vector<char> in_regions = shapes_with_regions(world);
   bool all_spheres = true;
+  const detection::Choice choice{world.scene.method, world.scene.tolerance};
   for (std::size_t k = 0; k < c.count(); ++k) {
     const bool wall = c.key[k].b >= wall_base;
     const shapes::Kind a = p.kind[c.index_a[k]];
@@ -190,9 +191,9 @@ void fill_bins(World& world) {
       all_spheres = all_spheres && closed;
       c.bins.push_back({a,
                         b,
-                        closed ? nullptr : detection::find(a, b, world.scene.method),
+                        closed ? nullptr : detection::find(a, b, choice),
                         regions,
-                        closed || detection::choose(a, b, world.scene.method)->exact,
+                        closed || detection::agrees_with_proofs(a, b, choice),
                         {},
                         {},
                         {},

@@ -50,7 +50,9 @@ Result answer(const Case& input, const ContactArguments& arguments) {
   Result r{&input, "", {}};
   r.method = answering_method(input.a.kind, input.b.kind, arguments.method);
   Contact& c = r.contact;
-  c = contact::query(input.a, input.b, input.offset, {}, arguments.method);
+  contact::Options wanted;
+  wanted.tolerance = arguments.tolerance.value_or(0);
+  c = contact::query(input.a, input.b, input.offset, wanted, arguments.method);
   if (c.status == Status::refused) return r;
   for (Vec3d* point : {&c.point_a, &c.point_b, &c.method_point}) *point += input.origin;
   if (arguments.tolerance && !((c.gap_upper - c.gap_lower) <= 2 * *arguments.tolerance * input.size))

@@ -27,7 +27,8 @@ void phases(const PhaseTimes& t) {
 
 const char* method_of(const World& world, shapes::Kind a, shapes::Kind b) {
   if (is_round(a) && (is_round(b) || is_half_space(b))) return "spheres";
-  if (const contact::MethodInfo* m = detection::choose(a, b, world.scene.method)) return m->name.data();
+  if (const contact::MethodInfo* m = detection::choose(a, b, {world.scene.method, world.scene.tolerance}))
+    return m->name.data();
   return "-";
 }
 
@@ -35,12 +36,15 @@ void candidates(const std::string& pair, const char* method, const Tally& t) {
   if (t.candidates == 0) return;
   const auto n = static_cast<double>(t.candidates), contacts = static_cast<double>(t.touching);
   const auto share = [n](std::uint64_t count) { return 100 * static_cast<double>(count) / n; };
+  const auto of_contacts = [&](std::uint64_t count) {
+    return t.touching > 0 ? fmt::format("{:.2g}", static_cast<double>(count) / contacts) : "-";
+  };
   const std::uint64_t known = t.by_displacement + t.by_spheres + t.by_axis + t.touching;
-  fmt::print("{:<36} {:<18} {:>8} {:>10.1f} {:>8.1f} {:>6.1f} {:>7.1f} {:>9.1f} {:>8.1f} {:>13} {:>10}\n", pair, method,
-             rate_text(n), share(t.by_displacement), share(t.by_spheres), share(t.by_axis),
+  fmt::print("{:<36} {:<18} {:>8} {:>10.1f} {:>8.1f} {:>6.1f} {:>7.1f} {:>9.1f} {:>8.1f} {:>13} {:>11} {:>11}\n", pair,
+             method, rate_text(n), share(t.by_displacement), share(t.by_spheres), share(t.by_axis),
              t.candidates > known ? share(t.candidates - known) : 0, share(t.touching), 1e9 * t.seconds / n,
-             t.touching > 0 ? fmt::format("{:.1f}", 1e9 * t.seconds / contacts) : "-",
-             t.touching > 0 ? fmt::format("{:.2g}", static_cast<double>(t.uncertified) / contacts) : "-");
+             t.touching > 0 ? fmt::format("{:.1f}", 1e9 * t.seconds / contacts) : "-", of_contacts(t.uncertified),
+             of_contacts(t.handed_over));
 }
 
 }  // namespace
@@ -49,8 +53,9 @@ void print_profile(const World& world, int threads) {
   phases(world.times);
   fmt::print("\nlaw {}\n", world.scene.law.name == LawName::hertz_mindlin ? contact::HertzMindlin::name
                                                                           : contact::SpringDashpot::name);
-  fmt::print("{:<36} {:<18} {:>8} {:>10} {:>8} {:>6} {:>7} {:>9} {:>8} {:>13} {:>10}\n", "pair", "method", "asked",
-             "% way", "% ball", "% axis", "% apart", "% touching", "ns", "ns / contact", "uncertified");
+  fmt::print("{:<36} {:<18} {:>8} {:>10} {:>8} {:>6} {:>7} {:>9} {:>8} {:>13} {:>11} {:>11}\n", "pair", "method",
+             "asked", "% way", "% ball", "% axis", "% apart", "% touching", "ns", "ns / contact", "uncertified",
+             "handed over");
   for (std::size_t a = 0; a < shapes::kind_count; ++a)
     for (std::size_t b = 0; b < shapes::kind_count; ++b) {
       const auto ka = static_cast<shapes::Kind>(a), kb = static_cast<shapes::Kind>(b);

@@ -29,9 +29,9 @@ void report(const World& world, const std::string& folder) {
   fmt::print("{}: {} steps, t = {:.6g} s, {} particles\n", folder, world.step, world.time(), world.particles.count());
   fmt::print("time loop {}, output {}\n", duration_text(world.times.loop), duration_text(world.times.output));
   const Counters& c = world.counters;
-  fmt::print("queries {}, contact-steps {} ({}per s of the loop), not converged {}, uncertified {}\n", c.queries,
-             c.contact_steps, rate_text(static_cast<double>(c.contact_steps) * per_second), c.not_converged,
-             c.uncertified);
+  fmt::print("queries {}, contact-steps {} ({}per s of the loop), not converged {}, uncertified {}, handed over {}\n",
+             c.queries, c.contact_steps, rate_text(static_cast<double>(c.contact_steps) * per_second), c.not_converged,
+             c.uncertified, c.handed_over);
   for (const OutletRecord& o : world.outlets) fmt::print("outlet {}: {} bodies, {:.6g} kg\n", o.name, o.count, o.mass);
   for (const RainRecord& r : world.rains)
     fmt::print("rain {}: {} bodies, {:.6g} kg{}\n", r.name, r.count, r.mass,

@@ -138,6 +138,12 @@ Warnings dynamic_warnings(const World& world, const Loads& loads, const std::vec
         fmt::format("contacts under load overlap by {:.2g} radii: bodies are soft for it: raise the stiffness, "
                     "or check the units",
                     press));
+  const double expected = press > 0 ? press : impact, tolerance = world.scene.tolerance;
+  if (expected > 0 && tolerance > 0.05 * expected)
+    list.push_back(
+        fmt::format("contact.tolerance {:.2g} is {:.2g} of the overlap that is to be expected, {:.2g} radii: "
+                    "forces will be wrong by as much; keep below 0.05 of it",
+                    tolerance, tolerance / expected, expected));
   if (loads.unsupported > 0 && norm(world.scene.gravity) > 0 && world.outlets.empty() && !world.cell.periodic)
     list.push_back(fmt::format("{} of {} bodies have no wall below them: they fall for ever, past any other wall",
                                loads.unsupported, world.particles.count()));

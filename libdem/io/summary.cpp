@@ -104,6 +104,7 @@ Json coherence(const Profile& profile) {
                    {"refused_by_axis", t.by_axis},
                    {"touching", t.touching},
                    {"uncertified", t.uncertified},
+                   {"handed_over", t.handed_over},
                    {"not_converged", t.not_converged}});
   };
   for (std::size_t a = 0; a < shapes::kind_count; ++a)
@@ -152,6 +153,7 @@ void write_summary(const std::string& path, const World& world, const std::strin
                          {"contact_steps", c.contact_steps},
                          {"not_converged", c.not_converged},
                          {"uncertified", c.uncertified},
+                         {"handed_over", c.handed_over},
                          {"deleted", c.deleted},
                          {"inserted", c.inserted}};
   summary["pairs"] = coherence(world.profile);

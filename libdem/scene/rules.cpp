@@ -71,6 +71,9 @@ class Rules : RuleContext {
     if (std::find(names.begin(), names.end(), scene.method) == names.end())
       wrong("contact", 0, "method",
             fmt::format("allowed {}{}", fmt::join(names, ", "), suggestion(scene.method, names)));
+    if (scene.method != "auto" && scene.tolerance > 0)
+      wrong("contact", 0, "tolerance",
+            fmt::format("goes with method = \"auto\" alone, found method = \"{}\"", scene.method));
   }
 
   void shape(std::size_t i) {

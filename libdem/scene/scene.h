@@ -209,6 +209,7 @@ struct Scene {
   DiscModel disc_model = DiscModel::prism;
   double thickness = 0;  // m, of the prisms of a two-dimensional scene
   std::string method = "auto";
+  double tolerance = 0;  // of the gap, over the smaller circumradius; 0: exact
   LawSpec law;
   std::vector<MaterialSpec> materials;
   std::vector<MaterialPairSpec> pairs;

@@ -281,6 +281,11 @@ std::shared_ptr<const Section> whole() {
           "contact", "How contacts are detected.",
           {value<&Scene::method>("method", "",
                                  "Name of a detection method, or auto = the cheapest certified one of each pair."),
+           value<&Scene::tolerance>("tolerance", "",
+                                    "With method auto: the cheapest method that proves each gap to within this part of "
+                                    "the smaller circumradius; 0 = exact.")
+               .from(0)
+               .to(0.1),
            uncertified_share().from(0).to(1)}),
       table<&Scene::law>(
           "law", "The force law.",

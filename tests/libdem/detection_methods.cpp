@@ -75,8 +75,8 @@ class DetectionMethods : public testing::TestWithParam<MethodInfo> {};
 TEST_P(DetectionMethods, bodies_meet_and_part) {
   const MethodInfo& m = GetParam();
   const Scene scene = meeting(m);
-  EXPECT_EQ(detection::choose(m.a, m.b, scene.method)->name, m.name);
-  EXPECT_TRUE(detection::choose(m.a, shapes::dimension_of(m.a) == 2 ? Kind::line : Kind::plane, scene.method)->exact);
+  EXPECT_EQ(detection::choose(m.a, m.b, {scene.method})->name, m.name);
+  EXPECT_TRUE(detection::choose(m.a, shapes::dimension_of(m.a) == 2 ? Kind::line : Kind::plane, {scene.method})->exact);
   World world = build_world(scene);
   const auto& motion = world.particles.motion;
   double closest = 1;

@@ -41,7 +41,7 @@ int main(void) {
   contact_cache cache[6];
   contact_answer answer[6];
   double offset[18];
-  contact_query_options options = {sizeof(contact_query_options), 1, 1, NULL};
+  contact_query_options options = {sizeof(contact_query_options), 1, 1, NULL, 0};
   contact_material soft = {sizeof(contact_material), 5e6, 0.25, 0.5, 0.4, 0, 0};
   contact_pair pair;
   contact_motion motion[2];

@@ -21,6 +21,9 @@ cmake --build "$work/cmake" >>"$work/cmake.log"
 cmp "$work/door.txt" "$work/same.txt"
 echo "C and C++ give the same bits: $(wc -l <"$work/door.txt") lines"
 
+"$work/cmake/foreign"
+echo "a shape, a method and a law of another program: every answer that of its formula"
+
 echo "+ with pkg-config and make"
 PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name contact.pc)")
 export PKG_CONFIG_PATH

@@ -90,6 +90,8 @@ typedef struct contact_query_options {
   int overlap_only;   /* != 0: a separated pair may stop at the first proof */
   int patch;          /* != 0: the patch of an overlap too */
   const char* method; /* null: the production method */
+  double tolerance;   /* without a method: the cheapest that proves the gap to this part of the smaller circumradius; 0:
+                         exact. A smaller structure may leave it out */
 } contact_query_options;
 
 typedef struct contact_answer { /* as contact::Contact */

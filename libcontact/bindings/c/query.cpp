@@ -128,8 +128,11 @@ int contact_query(size_t n, const contact_body* a, const contact_body* b, const 
   contact::Options wanted;
   const char* method = nullptr;
   if (options != nullptr) {
-    if (options->size != sizeof(contact_query_options)) return CONTACT_BAD_SIZE;
+    const bool full = options->size == sizeof(contact_query_options);
+    if (!full && options->size != offsetof(contact_query_options, tolerance)) return CONTACT_BAD_SIZE;
     wanted = {.overlap_only = options->overlap_only != 0, .patch = options->patch != 0};
+    if (full) wanted.tolerance = options->tolerance;
+    if (!(wanted.tolerance >= 0 && wanted.tolerance <= 1)) return CONTACT_BAD_VALUE;
     method = options->method;
   }
   if (method != nullptr && std::strcmp(method, "auto") != 0 &&
@@ -150,7 +153,10 @@ int contact_query(size_t n, const contact_body* a, const contact_body* b, const 
       c.offset[c.n] = swapped ? -d : d;
       if (caches != nullptr) std::memcpy(static_cast<void*>(&c.cache[c.n]), &caches[i], sizeof(contact::Cache));
     }
-    const contact::ChunkQuery run = contact::find(c.a[0].kind, c.b[0].kind, method == nullptr ? "auto" : method);
+    const bool within = method == nullptr && wanted.tolerance > 0;
+    const contact::ChunkQuery run = within
+                                        ? contact::find_within(c.a[0].kind, c.b[0].kind)
+                                        : contact::find(c.a[0].kind, c.b[0].kind, method == nullptr ? "auto" : method);
     if (run == nullptr)
       std::fill_n(c.answer, c.n, contact::refused());
     else
