@@ -125,10 +125,12 @@ class Dispatch {
   template <class A, class B>
   static void run_within(std::size_t n, const Body* a, const Body* b, const Vec3d* offset, const Options& options,
                          Cache* cache, Contact* out) {
+    constexpr std::size_t first = first_of(kind_of<A>(), kind_of<B>());
     bool answered = false;
-    for (const Entry& entry : table_) {
-      if (entry.info.a != kind_of<A>() || entry.info.b != kind_of<B>() || !(entry.info.reach <= options.tolerance))
-        continue;
+    for (std::size_t k = first; k < table_.size(); ++k) {
+      const Entry& entry = table_[k];
+      if (entry.info.a != kind_of<A>() || entry.info.b != kind_of<B>()) break;
+      if (!(entry.info.reach <= options.tolerance)) continue;
       if (!answered) {
         entry.run(n, a, b, offset, options, cache, out);
         answered = true;
@@ -144,6 +146,11 @@ class Dispatch {
       }
     }
     if (!answered) std::fill_n(out, n, refused());
+  }
+  static constexpr std::size_t first_of(Kind a, Kind b) {
+    std::size_t k = 0;
+    while (table_[k].info.a != a || table_[k].info.b != b) ++k;
+    return k;
   }
   static bool narrow(const Contact& c, double width) {
     return c.status == Status::refused || (c.certified && (c.gap_upper - c.gap_lower <= width || proves_apart(c)));

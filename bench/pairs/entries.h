@@ -20,6 +20,7 @@ struct Entry {
   double error_median = no_number, error_worst = no_number;  // of the gap, over the size of the pair
   std::size_t lost = 0;                                      // pairs that it does not answer: not timed
   double ns = no_number;                                     // per query: median over the repetitions
+  double ns_low = no_number, ns_high = no_number;            // and their range
   std::string key() const { return set->name() + "/" + subject; }
 };
 
@@ -30,7 +31,8 @@ const char* peers_note();
 // Median and largest of the errors.
 void note_errors(Entry& entry, std::vector<double> errors);
 
-// Interleaved repetitions in random order, each of at least `sample` seconds of this thread's processor time.
+// Interleaved repetitions in random order, each of at least `sample` seconds of this thread's processor time. One that
+// had less than 93 % of a core is taken anew, up to three times.
 void time_all(std::vector<Entry>& entries, int repetitions, double sample);
 
 void print_table(const std::vector<Entry>& entries);

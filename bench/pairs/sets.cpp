@@ -24,7 +24,6 @@ Vec3d direction(Kind k, Random& draw) {
   const shapes::SineCosine t = shapes::sine_cosine(draw.uniform(0, 6.283185307179586));
   return {t.cosine, t.sine, 0};
 }
-Mat3d rotation(Kind k, Random& draw) { return rotation_matrix(is_flat(k) ? draw.turn() : draw.rotation()); }
 
 struct Family {
   const char* name;
@@ -32,6 +31,8 @@ struct Family {
   Vec3d size;
   int points;  // of polyhedra
 };
+
+constexpr int coarse = -1, fine = -2;  // convex hulls of grains seen by tomography, in shapes/data
 
 constexpr Family families[] = {{"sphere", Kind::sphere, {1, 0, 0}, 0},
                                {"ellipsoid_1_1_2", Kind::ellipsoid, {1, 1, 2}, 0},
@@ -46,7 +47,19 @@ constexpr Family families[] = {{"sphere", Kind::sphere, {1, 0, 0}, 0},
                                {"potential", Kind::potential_particle, {1, 0, 0}, 0},
                                {"disc", Kind::disc, {1, 0, 0}, 0},
                                {"ellipse_1_.5", Kind::ellipse, {1, 0.5, 0}, 0},
-                               {"octagon", Kind::polygon, {1, 0, 0}, 8}};
+                               {"octagon", Kind::polygon, {1, 0, 0}, 8},
+                               {"ellipsoid_1_1_1.5", Kind::ellipsoid, {1, 1, 1.5}, 0},
+                               {"ellipsoid_1_1_3", Kind::ellipsoid, {1, 1, 3}, 0},
+                               {"ellipsoid_1_1_100", Kind::ellipsoid, {1, 1, 100}, 0},
+                               {"ellipsoid_1_10_10", Kind::ellipsoid, {1, 10, 10}, 0},
+                               {"ellipse_1_1.5", Kind::ellipse, {1, 1.5, 0}, 0},
+                               {"ellipse_1_3", Kind::ellipse, {1, 3, 0}, 0},
+                               {"ellipse_1_10", Kind::ellipse, {1, 10, 0}, 0},
+                               {"ellipse_1_100", Kind::ellipse, {1, 100, 0}, 0},
+                               {"grain_coarse", Kind::polyhedron, {1, 0, 0}, coarse},
+                               {"grain_fine", Kind::polyhedron, {1, 0, 0}, fine}};
+// Of these, bench_pairs times the pairs of a family with itself.
+constexpr std::size_t own_pairs = 14;
 // What stands for its kind in mixed pairs.
 constexpr const char* members[] = {"sphere", "ellipsoid_1_.5_.25", "poly50", "rounded50", "potential",
                                    "disc",   "ellipse_1_.5",       "octagon"};
@@ -59,6 +72,12 @@ const Family& family(const std::string& name) {
 const shapes::Polyhedron* random_polyhedron(int points, std::uint64_t index) {
   static std::deque<shapes::Polyhedron> pool;
   if (points == 8) return &pool.emplace_back(shapes::make_box({1, 1, 1}));
+  if (points < 0) {
+    const std::string file = std::string(PROJECT_ROOT "/shapes/data/") +
+                             (points == coarse ? "ct_hull_coarse" : "ct_hull_fine") + "/cement140_" +
+                             (index < 9 ? "0" : "") + std::to_string(index + 1) + ".off";
+    return &pool.emplace_back(shapes::polyhedron_from_file(file, shapes::Frame::principal));
+  }
   Random draw(11, static_cast<std::uint64_t>(points), index);
   const Vec3d axes{draw.uniform(0.7, 1.3), draw.uniform(0.7, 1.3), draw.uniform(0.7, 1.3)};
   std::vector<Vec3d> cloud;
@@ -86,11 +105,12 @@ const shapes::PotentialParticle* potential_particle() {
   return &body;
 }
 
-Body make_body(const Family& f, std::uint64_t index, Random& draw) {
+Body make_body(const Family& f, std::uint64_t index, Random& draw, shapes::Quatd& orientation) {
   Body b;
   b.kind = f.kind;
   b.size = f.size;
-  b.rotation = rotation(f.kind, draw);
+  orientation = is_flat(f.kind) ? draw.turn() : draw.rotation();
+  b.rotation = rotation_matrix(orientation);
   constexpr std::uint64_t different = 24;  // geometries of a family
   if (f.kind == Kind::polyhedron || f.kind == Kind::rounded_polyhedron) {
     static std::deque<std::pair<std::pair<int, std::uint64_t>, const shapes::Polyhedron*>> known;
@@ -122,34 +142,36 @@ Vec3d place(const Body& a, const Body& b, double gap, Random& draw) {
   return near * n;
 }
 
-std::unique_ptr<Set> make_set(const Family& fa, const Family& fb, const char* config, double part, std::size_t count) {
+std::unique_ptr<Set> make_set(const Family& fa, const Family& fb, const Config& config, std::size_t count) {
   auto set = std::make_unique<Set>();
   const bool mixed = &fa != &fb;
   set->family = mixed ? std::string(fa.name) + "-" + fb.name : fa.name;
   set->member_a = fa.name;
   set->member_b = fb.name;
-  set->config = config;
+  set->config = config.name;
   set->a = fa.kind;
   set->b = fb.kind;
   for (std::size_t i = 0; i < count; ++i) {
     Random draw(1, static_cast<std::uint64_t>(&fa - families) * 64 + static_cast<std::uint64_t>(&fb - families), i);
-    Body a = make_body(fa, 2 * i, draw), b = make_body(fb, 2 * i + 1, draw);
+    shapes::Quatd turn_a, turn_b;
+    Body a = make_body(fa, 2 * i, draw, turn_a), b = make_body(fb, 2 * i + 1, draw, turn_b);
     if (mixed) {  // of one size
       b.size *= circumradius(a) / circumradius(b);
     }
     const double size = 0.5 * (circumradius(a) + circumradius(b));
     Pair p;
-    p.offset = place(a, b, part * size, draw);
+    p.offset = place(a, b, config.part * size, draw);
     p.size = size;
     p.next_offset = p.offset + 1e-3 * size * direction(a.kind, draw);
     Body next = b;
     const Vec3d axis = is_flat(b.kind) ? Vec3d{0, 0, 1} : draw.direction();
-    next.rotation =
-        rotation_matrix(normalized(shapes::Quatd{1, 5e-4 * axis.x, 5e-4 * axis.y, 5e-4 * axis.z})) * b.rotation;
+    const shapes::Quatd turn = normalized(shapes::Quatd{1, 5e-4 * axis.x, 5e-4 * axis.y, 5e-4 * axis.z});
+    next.rotation = rotation_matrix(turn) * b.rotation;
     p.a = static_cast<std::uint32_t>(set->bodies.size());
     p.b = p.a + 1;
     p.next_b = p.a + 2;
     set->bodies.insert(set->bodies.end(), {a, b, next});
+    set->orientation.insert(set->orientation.end(), {turn_a, turn_b, turn * turn_b});
     set->list.push_back(p);
   }
   return set;
@@ -157,11 +179,12 @@ std::unique_ptr<Set> make_set(const Family& fa, const Family& fb, const char* co
 
 }  // namespace
 
+std::unique_ptr<Set> make_set(const std::string& family_a, const std::string& family_b, const Config& config,
+                              std::size_t count) {
+  return make_set(family(family_a), family(family_b), config, count);
+}
+
 std::vector<std::unique_ptr<Set>> all_sets(const std::string& filter, std::size_t count) {
-  struct Config {
-    const char* name;
-    double part;
-  };
   constexpr Config configs[] = {{"touch", -1e-3}, {"apart", 0.05}, {"deep", -0.2}};
   std::vector<std::unique_ptr<Set>> sets;
   const auto add = [&](const Family& a, const Family& b) {
@@ -171,10 +194,10 @@ std::vector<std::unique_ptr<Set>> all_sets(const std::string& filter, std::size_
       // What the bars of others are measured against is there whatever the filter says.
       const bool yardstick = name == "sphere/touch";
       if (!yardstick && name.find(filter) == std::string::npos) continue;
-      sets.push_back(make_set(a, b, c.name, c.part, dear ? count / 4 : count));
+      sets.push_back(make_set(a, b, c, dear ? count / 4 : count));
     }
   };
-  for (const Family& f : families) add(f, f);
+  for (std::size_t i = 0; i < own_pairs; ++i) add(families[i], families[i]);
   for (std::size_t i = 0; i < std::size(members); ++i)
     for (std::size_t j = i + 1; j < std::size(members); ++j) {
       const Family &a = family(members[i]), &b = family(members[j]);

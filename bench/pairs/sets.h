@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "libcontact/dispatch.h"
+#include "shapes/math/quat.h"
 
 namespace pairs {
 
@@ -29,11 +30,21 @@ struct Set {
   std::string family, config;      // "ellipsoid_1_1_2", "touch"
   std::string member_a, member_b;  // families of the bodies' own pairs; equal unless the pair is mixed
   std::vector<Body> bodies;
+  std::vector<shapes::Quatd> orientation;  // of the bodies: their rotations before rounding
   std::vector<Pair> list;
   shapes::Kind a, b;
   std::string name() const { return family + "/" + config; }
 };
 
+// Where the second body is put: its gap over the size of the pair.
+struct Config {
+  const char* name;
+  double part;
+};
+
+// Pairs of bodies of two families ("ellipsoid_1_1_2", "poly50", "grain_fine", …).
+std::unique_ptr<Set> make_set(const std::string& family_a, const std::string& family_b, const Config& config,
+                              std::size_t count);
 // `filter`: a part of the name; empty: all.
 std::vector<std::unique_ptr<Set>> all_sets(const std::string& filter, std::size_t count);
 

@@ -9,9 +9,9 @@ namespace pairs {
 
 namespace {
 
-double processor_seconds() {
+double clock_seconds(clockid_t clock) {
   timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  clock_gettime(clock, &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
@@ -22,9 +22,14 @@ double median(std::vector<double> v) {
 }
 
 double seconds(const Entry& e, std::size_t runs) {
-  const double begin = processor_seconds();
-  for (std::size_t i = 0; i < runs; ++i) e.run();
-  return processor_seconds() - begin;
+  double spent = 0;
+  for (int attempt = 0; attempt < 4; ++attempt) {
+    const double begin = clock_seconds(CLOCK_THREAD_CPUTIME_ID), wall = clock_seconds(CLOCK_MONOTONIC);
+    for (std::size_t i = 0; i < runs; ++i) e.run();
+    spent = clock_seconds(CLOCK_THREAD_CPUTIME_ID) - begin;
+    if (spent >= 0.93 * (clock_seconds(CLOCK_MONOTONIC) - wall)) break;
+  }
+  return spent;
 }
 
 }  // namespace
@@ -56,7 +61,12 @@ void time_all(std::vector<Entry>& entries, int repetitions, double sample) {
       ns[i].push_back(1e9 * seconds(entries[i], runs[i]) / queries);
     }
   }
-  for (std::size_t i = 0; i < entries.size(); ++i) entries[i].ns = median(ns[i]);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (ns[i].empty()) continue;
+    entries[i].ns_low = *std::min_element(ns[i].begin(), ns[i].end());
+    entries[i].ns_high = *std::max_element(ns[i].begin(), ns[i].end());
+    entries[i].ns = median(std::move(ns[i]));
+  }
 }
 
 }  // namespace pairs

@@ -12,7 +12,6 @@ namespace {
 
 using shapes::Pack;
 using V = shapes::Vec3<Pack>;
-using std::experimental::vector_aligned;
 
 struct HertzMindlin {
   static NormalForce<Pack> normal(const LawChunk& c, std::size_t i, const Kinematics<Pack>& k, const Pack& least) {
