@@ -55,16 +55,26 @@ Json methods_json() {
   return out;
 }
 
+// Why no method answers a pair of kinds.
+const char* no_method(shapes::Kind a, shapes::Kind b) {
+  if (shapes::is_wall(a) && shapes::is_wall(b)) return "refused: walls do not meet each other";
+  if (shapes::dimension_of(a) != shapes::dimension_of(b)) return "refused: one is of the plane, one of space";
+  if (a == shapes::Kind::compound || b == shapes::Kind::compound) return "part by part, by the methods of the parts";
+  return "refused: no method";
+}
+
 Json pairs_json() {
   Json out = Json::array();
   for (std::size_t a = 0; a < shapes::kind_count; ++a)
     for (std::size_t b = a; b < shapes::kind_count; ++b) {
       Json names = Json::array();
+      const auto kind_a = static_cast<shapes::Kind>(a), kind_b = static_cast<shapes::Kind>(b);
       for (const auto* m = contact::methods_begin(); m != contact::methods_end(); ++m)
-        if (m->a == static_cast<shapes::Kind>(a) && m->b == static_cast<shapes::Kind>(b)) names.push_back(m->name);
-      out.push_back({{"a", shapes::name_of(static_cast<shapes::Kind>(a))},
-                     {"b", shapes::name_of(static_cast<shapes::Kind>(b))},
-                     {"methods", names}});
+        if (m->a == kind_a && m->b == kind_b) names.push_back(m->name);
+      out.push_back({{"a", shapes::name_of(kind_a)},
+                     {"b", shapes::name_of(kind_b)},
+                     {"methods", names},
+                     {"remark", names.empty() ? no_method(kind_a, kind_b) : ""}});
     }
   return out;
 }
@@ -178,16 +188,11 @@ void print_table(const Json& rows) {
   }
 }
 
-// Pair by pair: every method that answers it, the automatic choice first.
+// Pair by pair: every method that answers it, by cost, or why none does.
 void print_pairs() {
-  const auto wall = [](const Json& kind) { return kind == "plane" || kind == "mesh"; };
-  for (const Json& row : pairs_json()) {
-    const char* none = row["a"] == "compound" || row["b"] == "compound" ? "part by part"
-                       : wall(row["a"]) && wall(row["b"])               ? "(walls never meet)"
-                                                                        : "refused";
+  for (const Json& row : pairs_json())
     fmt::print("{:<20}{:<20}{}\n", cell(row["a"]), cell(row["b"]),
-               row["methods"].empty() ? none : cell(row["methods"]));
-  }
+               row["methods"].empty() ? cell(row["remark"]) : cell(row["methods"]));
 }
 
 }  // namespace
