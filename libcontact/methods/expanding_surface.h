@@ -1,9 +1,10 @@
 // A closed surface of triangles about the origin, pushed outwards one corner at a time: what is left of an expanding
 // polytope once the body that it grows in is taken away.
 //
-// Every face sees the origin on its inner side, which is checked as it is added: hence the least distance of the faces
-// is a lower bound of that of the body's surface, whatever rounding did to convexity. Without allocation, for at most
-// 96 corners. Corner: any type with a member `at`, its place.
+// Every face sees the origin on its inner side, or at most `slack` in front of it, which is checked as it is added, and
+// a corner is outside a face from `slack` above it on:
+// hence the least distance of the faces is a lower bound of that of the body's surface, whatever rounding did to
+// convexity. Without allocation. Corner: any type with a member `at`, its place.
 #pragma once
 
 #include <cmath>
@@ -14,9 +15,13 @@
 
 namespace contact {
 
-template <class Corner>
+template <class Corner, int corner_cap = 96>
 class ExpandingSurface {
+  static_assert(corner_cap <= 255);
+
  public:
+  explicit ExpandingSurface(double slack = 0) : slack_(slack) {}
+
   struct Face {
     shapes::Vec3d normal;  // unit
     double distance;
@@ -39,35 +44,10 @@ class ExpandingSurface {
   const Corner& corner(const Face& f, int k) const { return corners_[f.corner[k]]; }
 
   // Adds a corner of the body outside face `seen`. False when it cannot be held, or a face would not see the origin
-  // behind it; the surface is then no longer closed.
+  // behind it; the surface is then as it was.
   bool push(const Corner& c, int seen) {
-    if (corner_count_ == corner_cap) return false;
-    struct Edge {
-      std::uint8_t from, to;
-    } rim[rim_cap];
-    int rim_count = 0;
-    const auto remove = [&](int i) {
-      for (int k = 0; k < 3; ++k) {
-        const Edge e{faces_[i].corner[k], faces_[i].corner[k == 2 ? 0 : k + 1]};
-        int twin = 0;
-        while (twin < rim_count && !(rim[twin].from == e.to && rim[twin].to == e.from)) ++twin;
-        if (twin < rim_count) {
-          rim[twin] = rim[--rim_count];
-        } else {
-          if (rim_count == rim_cap) return false;
-          rim[rim_count++] = e;
-        }
-      }
-      faces_[i] = faces_[--face_count_];
-      return true;
-    };
-    for (int i = face_count_ - 1; i >= 0; --i)
-      if ((i == seen || dot(faces_[i].normal, c.at) > faces_[i].distance) && !remove(i)) return false;
-    const auto index = static_cast<std::uint8_t>(corner_count_);
-    corners_[corner_count_++] = c;
-    for (int i = 0; i < rim_count; ++i)
-      if (!add(rim[i].from, rim[i].to, index)) return false;
-    return true;
+    // Where a corner in the plane of a face makes one without area of its edge, that face goes too.
+    return push_above(c, seen, slack_) || (slack_ > 0 && push_above(c, seen, -slack_));
   }
 
   // A lower bound of the distance of the surface, to rounding, even where the normal of a sliver is not: along any unit
@@ -91,7 +71,45 @@ class ExpandingSurface {
   }
 
  private:
-  static constexpr int corner_cap = 96, face_cap = 2 * corner_cap, rim_cap = 64;
+  static constexpr int rim_cap = 64, face_cap = 2 * corner_cap + rim_cap;
+
+  // Faces go that the corner is more than `margin` above.
+  bool push_above(const Corner& c, int seen, double margin) {
+    if (corner_count_ == corner_cap) return false;
+    struct Edge {
+      std::uint8_t from, to;
+    } rim[rim_cap];
+    int rim_count = 0, hidden[face_cap], hidden_count = 0;
+    const auto hide = [&](int i) {
+      hidden[hidden_count++] = i;
+      for (int k = 0; k < 3; ++k) {
+        const Edge e{faces_[i].corner[k], faces_[i].corner[k == 2 ? 0 : k + 1]};
+        int twin = 0;
+        while (twin < rim_count && !(rim[twin].from == e.to && rim[twin].to == e.from)) ++twin;
+        if (twin < rim_count) {
+          rim[twin] = rim[--rim_count];
+        } else {
+          if (rim_count == rim_cap) return false;
+          rim[rim_count++] = e;
+        }
+      }
+      return true;
+    };
+    for (int i = face_count_ - 1; i >= 0; --i)
+      if ((i == seen || dot(faces_[i].normal, c.at) > faces_[i].distance + margin) && !hide(i)) return false;
+    if (rim_count < 3) return false;
+    const int faces = face_count_;
+    const auto index = static_cast<std::uint8_t>(corner_count_);
+    corners_[corner_count_++] = c;
+    for (int i = 0; i < rim_count; ++i)
+      if (!add(rim[i].from, rim[i].to, index)) {
+        face_count_ = faces;
+        --corner_count_;
+        return false;
+      }
+    for (int i = 0; i < hidden_count; ++i) faces_[hidden[i]] = faces_[--face_count_];  // the last ones first
+    return true;
+  }
 
   bool add(std::uint8_t i, std::uint8_t j, std::uint8_t k) {
     if (face_count_ == face_cap) return false;
@@ -101,9 +119,10 @@ class ExpandingSurface {
     Face& f = faces_[face_count_++];
     f = {n * (1 / std::sqrt(square)), 0, {i, j, k}};
     f.distance = dot(f.normal, u);
-    return f.distance > 0;  // not of a face without area
+    return f.distance > -slack_;  // not of a face without area
   }
 
+  double slack_;
   Corner corners_[corner_cap];
   Face faces_[face_cap];
   int corner_count_ = 0, face_count_ = 0;

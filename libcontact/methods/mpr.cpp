@@ -1,10 +1,11 @@
 #include "libcontact/methods/mpr.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "libcontact/methods/convex_view.h"
+#include "libcontact/methods/convex_pair.h"
 #include "libcontact/scale.h"
 
 namespace contact {
@@ -14,7 +15,6 @@ namespace {
 using Corner = ConvexPair::Corner;
 
 constexpr int step_limit = 200;
-constexpr double stop_height = 1e-10;  // of K above the portal, over the size
 
 // Of the bodies with their margins; n unit.
 Corner support(const ConvexPair& pair, const Vec3d& n) {
@@ -31,70 +31,105 @@ Vec3d direction(const Vec3d& v) {
   return n;
 }
 
-ConvexMeasure answer(const ConvexPair& pair, const Vec3d& n, const Vec3d& point, int steps, bool converged) {
-  ConvexMeasure m;
-  m.found = true;
-  m.converged = converged;
-  m.iterations = steps;
-  m.normal = n;
-  m.upper = std::numeric_limits<double>::infinity();
-  m.overlap = dot(n, support(pair, n).at);  // (3)
-  m.point = point;
-  return m;
-}
-
-// The point midway between those of A and B on the ray, from where it passes the portal.
-Vec3d on_ray(const Vec3d& p, const Corner& u, const Corner& v, const Corner& w) {
-  const double a = side(p, v, w), b = side(p, w, u), c = side(p, u, v), sum = a + b + c;
-  if (!(sum > 0)) return 0.5 * (u.on_a + (u.on_a - u.at));
-  const Vec3d on_a = (1 / sum) * (a * u.on_a + b * v.on_a + c * w.on_a);
+// A point of K, and midway between those of A and B that it is the difference of.
+struct Place {
+  Vec3d at, middle;
+};
+Place place(const Corner& c) { return {c.at, c.on_a - 0.5 * c.at}; }
+// Where the ray passes the portal.
+Place on_ray(const Vec3d& p, const Corner& u, const Corner& v, const Corner& w) {
+  const double a = std::fmax(side(p, v, w), 0), b = std::fmax(side(p, w, u), 0), c = std::fmax(side(p, u, v), 0);
+  const double sum = a + b + c;
+  if (!(sum > 0)) return place(u);
   const Vec3d at = (1 / sum) * (a * u.at + b * v.at + c * w.at);
-  return on_a - 0.5 * at;
+  return {at, (1 / sum) * (a * u.on_a + b * v.on_a + c * w.on_a) - 0.5 * at};
 }
 
-ConvexMeasure measure(const ConvexPair& pair) {
-  const Vec3d p = pair.inside();
-  Vec3d n;
-  if (!(length_and_direction(-p, n) > 0x1p-40 * pair.size)) return {};  // no ray
-  int steps = 0;
-  Corner v1 = support(pair, n);
-  const auto early = [&] { return answer(pair, n, v1.on_a - 0.5 * v1.at, steps, true); };
-  if (!(dot(v1.at, n) > 0)) return early();  // (1): apart
-  const Vec3d across = cross(v1.at, p);
-  if (!(norm(across) > 0x1p-44 * pair.size * norm(p))) return early();  // K's farthest point lies on the ray
-  const Vec3d along = n;
+class Search {
+ public:
+  explicit Search(const ConvexPair& pair) : pair_(pair), p_(pair.inside()), ball_(pair.inner_radius()) {
+    const double distance = norm(p_);
+    if (distance > 0x1p-20 * ball_) return;
+    p_ = {0.5 * ball_, 0, 0};
+    ball_ = 0.5 * ball_ - distance;
+  }
+
+  ConvexMeasure run();
+
+ private:
+  ConvexMeasure apart(const Vec3d& n, const Corner& c) const {
+    ConvexMeasure m = answer(n, place(c), true);
+    m.upper = norm(c.at);  // (4)
+    return m;
+  }
+  ConvexMeasure overlapping(const Vec3d& n, const Place& x, bool converged) const {
+    ConvexMeasure m = answer(n, x, converged);
+    const Vec3d e = x.at - p_;
+    const double t = std::clamp(-dot(p_, e) / dot(e, e), 0.0, 1.0);
+    m.upper = std::min(norm(x.at), norm(p_ + t * e) - (1 - t) * ball_);  // (4)
+    return m;
+  }
+  ConvexMeasure answer(const Vec3d& n, const Place& x, bool converged) const {
+    ConvexMeasure m;
+    m.converged = converged;
+    m.iterations = steps_;
+    m.normal = n;
+    m.overlap = dot(n, support(pair_, n).at);  // (3)
+    m.point = x.middle;
+    return m;
+  }
+
+  const ConvexPair& pair_;
+  Vec3d p_;      // inner point
+  double ball_;  // radius of a ball in K about it
+  int steps_ = 0;
+};
+
+ConvexMeasure Search::run() {
+  const Vec3d ray = direction(-p_);
+  const double stop = std::fmax((pair_.tolerance > 0 ? pair_.tolerance : 1e-10) * pair_.small, 0x1p-46 * pair_.size);
+  Vec3d n = ray;
+  Corner v1 = support(pair_, n);
+  if (!(dot(v1.at, n) > 0)) return apart(n, v1);  // (1)
+  const Vec3d across = cross(v1.at, p_);
+  // K's farthest point lies on the ray.
+  if (!(norm(across) > 0x1p-44 * pair_.size * norm(p_))) return overlapping(n, place(v1), true);
   n = direction(across);
-  Corner v2 = support(pair, n);
-  if (!(dot(v2.at, n) > 0)) return early();
-  n = direction(cross(v1.at - p, v2.at - p));
-  if (dot(n, p) > 0) {
+  Corner v2 = support(pair_, n);
+  if (!(dot(v2.at, n) > 0)) return apart(n, v2);
+  n = direction(cross(v1.at - p_, v2.at - p_));
+  if (dot(n, p_) > 0) {
     std::swap(v1, v2);
     n = -n;
   }
   Corner v3;
-  for (;; ++steps) {
-    if (steps > step_limit) return answer(pair, along, v1.on_a - 0.5 * v1.at, steps, false);
-    v3 = support(pair, n);
-    if (!(dot(v3.at, n) > 0)) return early();
-    if (side(p, v1, v3) > 0) {
+  for (;; ++steps_) {
+    if (steps_ > step_limit) {
+      ConvexMeasure m = answer(ray, place(v1), false);
+      m.upper = norm(v1.at);
+      return m;
+    }
+    v3 = support(pair_, n);
+    if (!(dot(v3.at, n) > 0)) return apart(n, v3);
+    if (side(p_, v1, v3) > 0) {
       v2 = v3;
-      n = direction(cross(v1.at - p, v3.at - p));
-    } else if (side(p, v3, v2) > 0) {
+      n = direction(cross(v1.at - p_, v3.at - p_));
+    } else if (side(p_, v3, v2) > 0) {
       v1 = v3;
-      n = direction(cross(v3.at - p, v2.at - p));
+      n = direction(cross(v3.at - p_, v2.at - p_));
     } else {
       break;
     }
   }
-  for (;; ++steps) {
+  for (;; ++steps_) {
     const Vec3d normal = cross(v2.at - v1.at, v3.at - v1.at);
-    n = direction(dot(normal, v1.at - p) < 0 ? -normal : normal);
-    if (steps > step_limit) return answer(pair, n, on_ray(p, v1, v2, v3), steps, false);
-    const Corner v4 = support(pair, n);
-    if (!(dot(v4.at, n) > 0) || dot(v4.at - v1.at, n) <= stop_height * pair.size)  // (1), (2)
-      return answer(pair, n, on_ray(p, v1, v2, v3), steps, true);
+    n = direction(dot(normal, v1.at - p_) < 0 ? -normal : normal);
+    if (steps_ > step_limit) return overlapping(n, on_ray(p_, v1, v2, v3), false);
+    const Corner v4 = support(pair_, n);
+    if (!(dot(v4.at, n) > 0)) return apart(n, v4);                                           // (1)
+    if (dot(v4.at - v1.at, n) <= stop) return overlapping(n, on_ray(p_, v1, v2, v3), true);  // (2)
     // Of the three triangles at v4 the one that the ray passes through.
-    const Vec3d c = cross(v4.at, p);
+    const Vec3d c = cross(v4.at, p_);
     if (dot(v1.at, c) > 0)
       (dot(v2.at, c) > 0 ? v1 : v3) = v4;
     else
@@ -102,27 +137,12 @@ ConvexMeasure measure(const ConvexPair& pair) {
   }
 }
 
+ConvexMeasure measure(const ConvexPair& pair) { return Search(pair).run(); }
+
 }  // namespace
 
-Contact Mpr::query(const Placed<shapes::Sphere>& a, const Placed<shapes::Ellipsoid>& b, const Vec3d& offset,
-                   const Options&, Cache*) {
-  return by_convex_method(a, b, offset, measure);
-}
-Contact Mpr::query(const Placed<shapes::Sphere>& a, const Placed<shapes::Polyhedron>& b, const Vec3d& offset,
-                   const Options&, Cache*) {
-  return by_convex_method(a, b, offset, measure);
-}
-Contact Mpr::query(const Placed<shapes::Ellipsoid>& a, const Placed<shapes::Ellipsoid>& b, const Vec3d& offset,
-                   const Options&, Cache*) {
-  return by_convex_method(a, b, offset, measure);
-}
-Contact Mpr::query(const Placed<shapes::Ellipsoid>& a, const Placed<shapes::Polyhedron>& b, const Vec3d& offset,
-                   const Options&, Cache*) {
-  return by_convex_method(a, b, offset, measure);
-}
-Contact Mpr::query(const Placed<shapes::Polyhedron>& a, const Placed<shapes::Polyhedron>& b, const Vec3d& offset,
-                   const Options&, Cache*) {
-  return by_convex_method(a, b, offset, measure);
+Contact Mpr::answer(const ConvexBody& a, const ConvexBody& b, const Vec3d& offset, const Options& options) {
+  return by_convex_method(a, b, offset, options, measure);
 }
 
 }  // namespace contact

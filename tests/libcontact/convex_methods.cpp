@@ -1,6 +1,7 @@
 // gjk_epa and mpr by themselves: closed forms, and what they say beside the exact methods.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
@@ -9,6 +10,8 @@
 #include "libcontact/dispatch.h"
 #include "shapes/math/quat.h"
 #include "shapes/polyhedron_build.h"
+#include "tests/libcontact/catalogue.h"
+#include "tests/shapes/potential_samples.h"
 
 namespace {
 
@@ -42,72 +45,152 @@ const std::vector<shapes::Polyhedron>& solids() {
 Body sample(Kind kind, Draw& draw) {
   Body b{kind, 0, nullptr, {draw.uniform(0.3, 1.2), 0, 0}, draw.rotation()};
   if (kind == Kind::ellipsoid) b.size = {draw.uniform(0.3, 1.2), draw.uniform(0.3, 1.2), draw.uniform(0.3, 1.2)};
-  if (kind == Kind::polyhedron) b.geometry = &solids()[draw.engine() % solids().size()];
+  if (kind == Kind::polyhedron || kind == Kind::rounded_polyhedron)
+    b.geometry = &solids()[draw.engine() % solids().size()];
+  if (kind == Kind::rounded_polyhedron) b.size.y = draw.uniform(0.02, 0.3);
+  if (kind == Kind::potential_particle)
+    b.geometry = &shape_tests::potential_particles()[draw.engine() % shape_tests::potential_particles().size()];
   return b;
 }
 
-const std::pair<Kind, Kind> pairs[] = {{Kind::sphere, Kind::ellipsoid},
-                                       {Kind::sphere, Kind::polyhedron},
-                                       {Kind::ellipsoid, Kind::ellipsoid},
-                                       {Kind::ellipsoid, Kind::polyhedron},
-                                       {Kind::polyhedron, Kind::polyhedron}};
+struct Drawn {
+  Body a, b;
+  Vec3d offset;
+  double size, small;
+};
+Drawn draw_pair(const MethodInfo& m, Draw& draw) {
+  Drawn p{sample(m.a, draw), sample(m.b, draw), {}, 0, 0};
+  const double ra = circumradius(p.a), rb = circumradius(p.b);
+  if (m.b == Kind::plane)
+    p.offset = 0.5 * draw.direction() - draw.uniform(-0.2, 1.1) * ra * p.b.rotation.column(2);
+  else
+    p.offset = draw.uniform(0.4, 1.1) * (ra + rb) * draw.direction();
+  p.size = ra + rb + norm(p.offset);
+  p.small = m.b == Kind::plane ? ra : std::min(ra, rb);
+  return p;
+}
 
-// Apart or in a shallow overlap gjk_epa finds the gap, and its interval closes to a millionth; of bodies with corners
-// alone to rounding.
-TEST(ConvexMethods, gjk_epa_finds_the_gap) {
-  for (const auto& [ka, kb] : pairs) {
-    Draw draw;
-    int handed = 0, open = 0;
-    for (int i = 0; i < 300; ++i) {
-      const Body a = sample(ka, draw), b = sample(kb, draw);
-      const double reach = circumradius(a) + circumradius(b);
-      const Vec3d d = draw.uniform(0.4, 1.1) * reach * draw.direction();
-      const Contact c = query(a, b, d, {}, "gjk_epa"), exact = query(a, b, d);
-      SCOPED_TRACE(std::string(name_of(ka)) + " " + name_of(kb) + " " + std::to_string(i));
-      const double size = reach + norm(d);
-      handed += c.handed_over;
-      open += c.status == Status::not_converged;
-      EXPECT_LE(c.gap_lower, exact.gap_upper);
+bool has_corners(Kind k) {  // of the core
+  return k == Kind::sphere || k == Kind::polyhedron || k == Kind::rounded_polyhedron || k == Kind::plane;
+}
+
+std::vector<MethodInfo> answered_by(std::string_view method) {
+  std::vector<MethodInfo> list(methods_begin(), methods_end());
+  std::erase_if(list, [&](const MethodInfo& m) { return m.name != method; });
+  return list;
+}
+
+class GjkEpaPairs : public testing::TestWithParam<MethodInfo> {};
+
+// Apart or overlapping gjk_epa finds the gap, and its interval closes to a millionth of the smaller body; of cores with
+// corners alone to rounding.
+TEST_P(GjkEpaPairs, gap_is_that_of_the_exact_method) {
+  const MethodInfo& m = GetParam();
+  Draw draw;
+  int open = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Drawn p = draw_pair(m, draw);
+    const Contact c = query(p.a, p.b, p.offset, {}, "gjk_epa"), exact = query(p.a, p.b, p.offset);
+    SCOPED_TRACE(i);
+    open += c.status == Status::not_converged;
+    EXPECT_FALSE(c.handed_over);
+    EXPECT_LE(c.gap_lower, exact.gap_upper);
+    if (exact.certified) {
       EXPECT_GE(c.gap_upper, exact.gap_lower);
-      if (c.status != Status::not_converged) {
-        EXPECT_NEAR(c.gap, exact.gap, 1.1e-6 * size);
-      }
-      const bool corners = ka == Kind::polyhedron || (ka == Kind::sphere && kb == Kind::polyhedron);
-      if (corners && !c.handed_over) {
-        EXPECT_NEAR(c.gap, exact.gap, 2e-10 * size);
-      }
     }
-    EXPECT_LE(handed, 6);
-    EXPECT_LE(open, 6) << name_of(ka) << " " << name_of(kb);
+    if (c.status == Status::not_converged) continue;
+    EXPECT_LE(c.gap_upper - c.gap_lower, 1e-6 * p.small + 64 * epsilon * p.size);
+    if (has_corners(m.a) && has_corners(m.b)) {
+      EXPECT_NEAR(c.gap, exact.gap, 64 * epsilon * p.size);
+    }
+    // Witness points: as far apart as the gap, along the normal.
+    EXPECT_NEAR(norm(c.point_b - c.point_a), std::abs(c.gap), 64 * epsilon * p.size);
+  }
+  EXPECT_LE(open, 3);
+}
+
+// Asked for less, it stops earlier, and its interval is as narrow as was asked.
+TEST_P(GjkEpaPairs, a_tolerance_is_met_and_saves_steps) {
+  const MethodInfo& m = GetParam();
+  Draw draw;
+  long coarse_steps = 0, fine_steps = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Drawn p = draw_pair(m, draw);
+    Options coarse;
+    coarse.tolerance = 1e-2;
+    const Contact c = query(p.a, p.b, p.offset, coarse, "gjk_epa"), fine = query(p.a, p.b, p.offset, {}, "gjk_epa");
+    SCOPED_TRACE(i);
+    if (c.status != Status::not_converged) {
+      EXPECT_LE(c.gap_upper - c.gap_lower, 1e-2 * p.small + 64 * epsilon * p.size);
+    }
+    EXPECT_LE(c.gap_lower, fine.gap_upper);
+    EXPECT_GE(c.gap_upper, fine.gap_lower);
+    coarse_steps += c.iterations;
+    fine_steps += fine.iterations;
+  }
+  if (has_corners(m.a) && has_corners(m.b)) {
+    EXPECT_LE(coarse_steps, fine_steps);
+  } else if (m.b != Kind::plane) {
+    EXPECT_LT(1.3 * static_cast<double>(coarse_steps), static_cast<double>(fine_steps));
   }
 }
 
+INSTANTIATE_TEST_SUITE_P(ConvexMethods, GjkEpaPairs, testing::ValuesIn(answered_by("gjk_epa")), catalogue::entry_name);
+
+class MprPairs : public testing::TestWithParam<MethodInfo> {};
+
 // mpr decides overlap; its depth is that along its own normal, never less than the least translation, at times far
 // more.
-TEST(ConvexMethods, mpr_decides_overlap_and_is_never_shallower) {
-  for (const auto& [ka, kb] : pairs) {
-    Draw draw;
-    int handed = 0, open = 0, deeper = 0;
-    for (int i = 0; i < 300; ++i) {
-      const Body a = sample(ka, draw), b = sample(kb, draw);
-      const double reach = circumradius(a) + circumradius(b);
-      const Vec3d d = draw.uniform(0.4, 1.1) * reach * draw.direction();
-      const Contact c = query(a, b, d, {}, "mpr"), exact = query(a, b, d);
-      SCOPED_TRACE(std::string(name_of(ka)) + " " + name_of(kb) + " " + std::to_string(i));
-      handed += c.handed_over;
-      open += c.status == Status::not_converged;
-      const double tolerance = 1e-9 * (reach + norm(d));
-      if (std::abs(exact.gap) > tolerance) {
-        EXPECT_EQ(c.method_overlap > 0, exact.gap < 0) << c.method_overlap << " " << exact.gap;
-      }
-      EXPECT_GE(c.method_overlap, -exact.gap - tolerance);
-      EXPECT_NEAR(c.gap, -c.method_overlap, tolerance);
-      deeper += exact.gap < 0 && c.method_overlap > 1.05 * -exact.gap;
+TEST_P(MprPairs, it_decides_overlap_and_is_never_shallower) {
+  const MethodInfo& m = GetParam();
+  Draw draw;
+  int open = 0, deeper = 0, proven = 0, overlapping = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Drawn p = draw_pair(m, draw);
+    const Contact c = query(p.a, p.b, p.offset, {}, "mpr"), exact = query(p.a, p.b, p.offset);
+    SCOPED_TRACE(i);
+    EXPECT_FALSE(c.handed_over);
+    open += c.status == Status::not_converged;
+    const double tolerance = 1e-9 * p.size;
+    if (std::abs(exact.gap) > tolerance) {
+      EXPECT_EQ(c.method_overlap > 0, exact.gap < 0) << c.method_overlap << " " << exact.gap;
     }
-    EXPECT_LE(handed, 3);
-    EXPECT_EQ(open, 0) << name_of(ka) << " " << name_of(kb);
+    EXPECT_GE(c.method_overlap, -exact.gap - tolerance);
+    EXPECT_NEAR(c.gap, -c.method_overlap, tolerance);
+    deeper += exact.gap < 0 && c.method_overlap > 1.05 * -exact.gap;
+    overlapping += exact.gap < 0;
+    proven += c.status == Status::overlapping;
+  }
+  EXPECT_EQ(open, 0);
+  EXPECT_GE(proven, overlapping * 95 / 100);
+  if (m.b != Kind::plane && !(m.a == Kind::sphere && m.b == Kind::sphere)) {
     EXPECT_GT(deeper, 5);
   }
+}
+
+INSTANTIATE_TEST_SUITE_P(ConvexMethods, MprPairs, testing::ValuesIn(answered_by("mpr")), catalogue::entry_name);
+
+// One centre, and the same pose: no direction to begin from.
+TEST(ConvexMethods, bodies_with_one_centre) {
+  for (const char* method : {"gjk_epa", "mpr"})
+    for (const MethodInfo& m : answered_by(method)) {
+      if (m.b == Kind::plane) continue;
+      Draw draw;
+      for (int i = 0; i < 30; ++i) {
+        Body a = sample(m.a, draw), b = sample(m.b, draw);
+        if (i % 2 == 0) a.rotation = b.rotation = Mat3d::identity();
+        const Contact c = query(a, b, {}, {}, method), exact = query(a, b, {});
+        SCOPED_TRACE(std::string(method) + " " + name_of(m.a) + " " + name_of(m.b) + " " + std::to_string(i));
+        EXPECT_LT(c.gap, 0);
+        EXPECT_LE(c.gap_lower, exact.gap_upper);
+        if (exact.certified) {
+          EXPECT_GE(c.gap_upper, exact.gap_lower);
+        }
+        if (std::string(method) == "gjk_epa" && has_corners(m.a) && has_corners(m.b)) {
+          EXPECT_NEAR(c.gap, exact.gap, 64 * epsilon * (circumradius(a) + circumradius(b)));
+        }
+      }
+    }
 }
 
 TEST(ConvexMethods, a_ball_in_a_face_and_beside_it) {

@@ -1,0 +1,74 @@
+#include "libcontact/methods/convex_body.h"
+
+#include <cmath>
+
+#include "libcontact/methods/vertex_support.h"
+
+namespace contact {
+
+namespace {
+
+using shapes::Kind;
+
+const shapes::Polyhedron& solid(const ConvexBody& b) { return *static_cast<const shapes::Polyhedron*>(b.geometry); }
+const shapes::PotentialParticle& potential(const ConvexBody& b) {
+  return *static_cast<const shapes::PotentialParticle*>(b.geometry);
+}
+shapes::PotentialSupport<double> potential_support(const ConvexBody& b, const Vec3d& n) {
+  const Vec3d m = transposed_times(b.rotation, n);
+  return shapes::support_from_centre<double>(potential(b), m * (1 / norm(m)));
+}
+
+}  // namespace
+
+ConvexBody::Far ConvexBody::support(const Vec3d& n) const {
+  switch (kind) {
+    case Kind::polyhedron:
+    case Kind::rounded_polyhedron: {
+      const std::uint32_t v = highest_vertex(solid(*this), transposed_times(rotation, n)).index;
+      return {rotation * (scale * solid(*this).vertices[v]), v};
+    }
+    case Kind::ellipsoid: {
+      const Vec3d u = scaled(axes, transposed_times(rotation, n));
+      return {rotation * scaled(axes, u * (1 / norm(u)))};
+    }
+    case Kind::potential_particle:
+      return {rotation * (scale * (potential_support(*this, n).from_centre + potential(*this).centre))};
+    default:
+      return {Vec3d{}};
+  }
+}
+
+double ConvexBody::height(const Vec3d& n) const {
+  if (kind != Kind::potential_particle) return dot(n, support(n).at);
+  const auto s = potential_support(*this, n);
+  return scale * (s.height + s.excess + dot(transposed_times(rotation, n), potential(*this).centre));
+}
+
+Vec3d ConvexBody::inner_centre() const {
+  switch (kind) {
+    case Kind::polyhedron:
+    case Kind::rounded_polyhedron:
+      return rotation * (scale * core_ball(solid(*this)).centre);
+    case Kind::potential_particle:
+      return rotation * (scale * potential(*this).centre);
+    default:
+      return {};
+  }
+}
+
+double ConvexBody::inner_radius() const {
+  switch (kind) {
+    case Kind::polyhedron:
+    case Kind::rounded_polyhedron:
+      return scale * core_ball(solid(*this)).radius + margin;
+    case Kind::potential_particle:
+      return scale * potential(*this).inner_radius;
+    case Kind::ellipsoid:
+      return std::min({axes.x, axes.y, axes.z});
+    default:
+      return margin;
+  }
+}
+
+}  // namespace contact
