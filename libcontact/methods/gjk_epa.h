@@ -25,6 +25,7 @@ struct CONTACT_API GjkEpa {
   static constexpr int cost_rank = 80;
   static constexpr const char* remark = "support functions alone: GJK and an expanding polytope";
   static constexpr bool exact = false;
+  static constexpr double reach = 1e-9;
 
   template <class A, class B>
   requires ConvexKinds<A, B>
