@@ -67,10 +67,10 @@ void chunks(Work& w, const Options& options, Cache* cache) {
 }
 
 // Half the width of the proven interval, over the size: a bound of the error.
-void note_own_errors(Entry& e, const Set& set) {
+void note_own_errors(Entry& e, const Set& set, const char* method) {
   std::vector<double> errors;
   for (const Pair& p : set.list) {
-    const Contact c = contact::query(set.bodies[p.a], set.bodies[p.b], p.offset);
+    const Contact c = contact::query(set.bodies[p.a], set.bodies[p.b], p.offset, {}, method);
     errors.push_back(0.5 * (c.gap_upper - c.gap_lower) / p.size);
   }
   note_errors(e, std::move(errors));
@@ -132,7 +132,18 @@ void add_own(const Set& set, std::vector<Entry>& entries) {
       query(1, &a, &b, &offset, Options{}, nullptr, &c);
       return c;
     });
-  note_own_errors(add("own scalar", one), set);
+  note_own_errors(add("own scalar", one), set, "auto");
+  // The general convex methods: cold, to what they stop at by themselves.
+  for (const char* method : {"gjk_epa", "mpr", "constrained_minimisation"})
+    if (const contact::ChunkQuery query = contact::find(set.a, set.b, method))
+      note_own_errors(add(("own " + std::string(method)).c_str(),
+                          one_by_one(work,
+                                     [query](const Body& a, const Body& b, const Vec3d& offset) {
+                                       Contact c;
+                                       query(1, &a, &b, &offset, Options{}, nullptr, &c);
+                                       return c;
+                                     })),
+                      set, method);
   add("own chunk", [work] { chunks<false>(*work, Options{}, nullptr); });
   // What the loop asks: overlap only, with what the pose before left in the cache.
   chunks<false>(*work, {.overlap_only = true}, work->cache.data());

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "libcontact/methods/vertex_support.h"
+#include "shapes/vertex_lookup.h"
 
 namespace contact {
 
@@ -25,8 +26,12 @@ ConvexBody::Far ConvexBody::support(const Vec3d& n) const {
   switch (kind) {
     case Kind::polyhedron:
     case Kind::rounded_polyhedron: {
-      const std::uint32_t v = highest_vertex(solid(*this), transposed_times(rotation, n)).index;
-      return {rotation * (scale * solid(*this).vertices[v]), v};
+      const shapes::Polyhedron& p = solid(*this);
+      const Vec3d m = transposed_times(rotation, n);
+      const std::uint32_t v = p.vx.size() <= scan_limit
+                                  ? highest_vertex(p, m).index
+                                  : climb(p, m, p.lookup[shapes::lookup_patch(m, p.lookup_cells)]).index;
+      return {rotation * (scale * p.vertices[v]), v};
     }
     case Kind::ellipsoid: {
       const Vec3d u = scaled(axes, transposed_times(rotation, n));
@@ -40,6 +45,7 @@ ConvexBody::Far ConvexBody::support(const Vec3d& n) const {
 }
 
 double ConvexBody::height(const Vec3d& n) const {
+  if (is_solid()) return scale * highest_vertex(solid(*this), transposed_times(rotation, n)).value;
   if (kind != Kind::potential_particle) return dot(n, support(n).at);
   const auto s = potential_support(*this, n);
   return scale * (s.height + s.excess + dot(transposed_times(rotation, n), potential(*this).centre));

@@ -82,4 +82,10 @@ concept ConvexKinds = !shapes::is_wall(shapes::kind_of<A>()) &&
   convex_body(b);
 };
 
+// The core is a polytope or a point.
+template <class S>
+inline constexpr bool ends_in_corners =
+    std::is_same_v<S, shapes::Sphere> || std::is_same_v<S, shapes::Polyhedron> ||
+    std::is_same_v<S, shapes::RoundedPolyhedron> || std::is_same_v<S, shapes::Plane>;
+
 }  // namespace contact

@@ -47,12 +47,15 @@ Contact answer(const ConvexBody& a, const ConvexBody& b, const Vec3d& offset, co
   const ConvexMeasure m = method(pair);
   const Vec3d on_a = pair.a.support(m.normal).at + pair.a.margin * m.normal,
               on_b = d + pair.b.support(-m.normal).at - pair.b.margin * m.normal;
-  const double f = dot(m.normal, on_b - on_a);
+  const double apart = dot(m.normal, d) - (pair.a.height(m.normal) + pair.b.height(-m.normal) + pair.margins());
+  // The support point of a potential particle is not as good as its height.
+  const bool by_heights =
+      pair.a.kind == shapes::Kind::potential_particle || pair.b.kind == shapes::Kind::potential_particle;
+  const double f = by_heights ? apart : dot(m.normal, on_b - on_a);
   // The extent is below 2: a rotation that is not finite.
   if (!(std::abs(f) <= 16 && dot(m.point, m.point) <= 256)) return refused();
   const double ball = norm(pair.inside()) - pair.inner_radius(), allowance = polyhedron_rounding * size;
-  const double lower =
-      std::min(f, dot(m.normal, d) - (pair.a.height(m.normal) + pair.b.height(-m.normal) + pair.margins())) - allowance;
+  const double lower = std::min(f, apart) - allowance;
   const double upper = std::max(f, std::min(m.upper, ball)) + allowance;
   const Vec3d half = 0.5 * f * m.normal;
   Contact c = smooth_contact(f, lower, upper, m.normal, m.meets ? m.point - half : on_a,

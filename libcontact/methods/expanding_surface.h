@@ -123,7 +123,9 @@ class ExpandingSurface {
   }
 
   double slack_;
-  Corner corners_[corner_cap];
+  union {  // not cleared
+    Corner corners_[corner_cap];
+  };
   Face faces_[face_cap];
   int corner_count_ = 0, face_count_ = 0;
 };

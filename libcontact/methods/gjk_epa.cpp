@@ -15,22 +15,23 @@ using Corner = ConvexPair::Corner;
 constexpr int step_limit = 200;
 constexpr double good_width = 1e-6;  // of the interval, over the smaller circumradius: to be content
 
-// Weights of the point of the plane, line or space through n points that is nearest to the origin. False when one is
-// not positive, or the points are not independent.
-bool weights(const Vec3d* const (&x)[4], int n, double (&w)[4]) {
-  const Vec3d& p = *x[0];
-  if (n == 1) {
-    w[0] = 1;
-  } else if (n == 2) {
-    const Vec3d e = *x[1] - p;
+// Weights of the point of the plane, line or space through the corners of `mask` that is nearest to the origin. False
+// when one is not positive, or the corners are not independent.
+bool weights(const ConvexPair::Corner (&corner)[4], int mask, double (&weight)[4]) {
+  int index[4], n = 0;
+  for (int i = 0; i < 4; ++i)
+    if (mask >> i & 1) index[n++] = i;
+  const Vec3d& p = corner[index[0]].at;
+  double w[4] = {1, 0, 0, 0};
+  if (n == 2) {
+    const Vec3d e = corner[index[1]].at - p;
     const double inverse = 1 / dot(e, e);
     w[1] = -dot(p, e) * inverse;
     w[1] -= dot(p + w[1] * e, e) * inverse;  // what rounding left along e
     w[0] = 1 - w[1];
   } else if (n == 3) {
-    const Vec3d e = *x[1] - p, f = *x[2] - p, normal = cross(e, f);
+    const Vec3d e = corner[index[1]].at - p, f = corner[index[2]].at - p, normal = cross(e, f);
     const double inverse = 1 / dot(normal, normal);
-    w[1] = w[2] = 0;
     Vec3d v = p;
     for (int pass = 0; pass < 2; ++pass) {
       w[1] -= dot(cross(v, f), normal) * inverse;
@@ -38,38 +39,46 @@ bool weights(const Vec3d* const (&x)[4], int n, double (&w)[4]) {
       v = p + w[1] * e + w[2] * f;
     }
     w[0] = 1 - w[1] - w[2];
-  } else {
-    const Vec3d e = *x[1] - p, f = *x[2] - p, g = *x[3] - p;
+  } else if (n == 4) {
+    const Vec3d e = corner[1].at - p, f = corner[2].at - p, g = corner[3].at - p;
     const double inverse = -1 / dot(e, cross(f, g));
     w[1] = dot(p, cross(f, g)) * inverse;
     w[2] = dot(p, cross(g, e)) * inverse;
     w[3] = dot(p, cross(e, f)) * inverse;
     w[0] = 1 - w[1] - w[2] - w[3];
   }
-  for (int i = 0; i < n; ++i)
+  for (int i = 0; i < 4; ++i) weight[i] = 0;
+  for (int i = 0; i < n; ++i) {
     if (!(w[i] > 0 && w[i] <= 1)) return false;
+    weight[index[i]] = w[i];
+  }
   return true;
 }
 
 }  // namespace
 
 void Simplex::reduce() {
-  Simplex best;
-  double least = std::numeric_limits<double>::infinity();
+  double best[4] = {1, 0, 0, 0}, w[4], least = std::numeric_limits<double>::infinity();
   for (int mask = (1 << count) - 1; mask > 0; --mask) {
-    const Vec3d* x[4] = {};
-    Simplex part;
-    for (int i = 0; i < count; ++i)
-      if (mask >> i & 1) {
-        x[part.count] = &p[i].at;
-        part.p[part.count++] = p[i];
-      }
-    if (!weights(x, part.count, part.weight)) continue;
-    const Vec3d v = part.nearest();
-    const double square = part.count == 4 ? 0 : dot(v, v);
-    if (square < least) least = square, best = part;
+    if (!weights(p, mask, w)) continue;
+    if (mask == 15) {
+      std::copy(w, w + 4, best);
+      break;
+    }
+    Vec3d v{};
+    for (int i = 0; i < count; ++i) v += w[i] * p[i].at;
+    if (const double square = dot(v, v); square < least) {
+      least = square;
+      std::copy(w, w + 4, best);
+    }
   }
-  *this = best;
+  int kept = 0;
+  for (int i = 0; i < count; ++i)
+    if (best[i] > 0) {
+      p[kept] = p[i];
+      weight[kept++] = best[i];
+    }
+  count = kept;
 }
 
 namespace {
