@@ -32,6 +32,14 @@ inline contact::ChunkQuery find(shapes::Kind a, shapes::Kind b, const Choice& ch
   return choice.tolerance > 0 ? contact::find_within(a, b) : contact::find(a, b);
 }
 
+// Spheres, discs and half-spaces go through kernels of their own, in the bits of the exact method, unless another
+// method is named for them.
+inline bool closed_form(shapes::Kind a, shapes::Kind b, const Choice& choice) {
+  const auto round = [](shapes::Kind k) { return k == shapes::Kind::sphere || k == shapes::Kind::disc; };
+  const bool half_space = b == shapes::Kind::plane || b == shapes::Kind::line;
+  return round(a) && (round(b) || half_space) && choose(a, b, choice)->exact;
+}
+
 // Do the answers agree with every proof of separation? Not what an approximate method measures.
 inline bool agrees_with_proofs(shapes::Kind a, shapes::Kind b, const Choice& choice) {
   return choice.method == "auto" || choose(a, b, choice)->exact;

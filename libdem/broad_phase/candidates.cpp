@@ -187,7 +187,7 @@ void fill_bins(World& world) {
     int& bin = bin_of[set * shapes::kind_count + static_cast<std::size_t>(b)];
     if (bin < 0) {
       bin = static_cast<int>(c.bins.size());
-      const bool closed = is_round(a) && (is_round(b) || is_half_space(b));
+      const bool closed = detection::closed_form(a, b, choice);
       all_spheres = all_spheres && closed;
       c.bins.push_back({a,
                         b,

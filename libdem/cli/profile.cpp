@@ -26,9 +26,9 @@ void phases(const PhaseTimes& t) {
 }
 
 const char* method_of(const World& world, shapes::Kind a, shapes::Kind b) {
-  if (is_round(a) && (is_round(b) || is_half_space(b))) return "spheres";
-  if (const contact::MethodInfo* m = detection::choose(a, b, {world.scene.method, world.scene.tolerance}))
-    return m->name.data();
+  const detection::Choice choice{world.scene.method, world.scene.tolerance};
+  const contact::MethodInfo* m = detection::choose(a, b, choice);
+  if (m != nullptr) return detection::closed_form(a, b, choice) ? "spheres" : m->name.data();
   return "-";
 }
 
