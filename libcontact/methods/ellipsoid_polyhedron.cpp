@@ -76,10 +76,17 @@ Contact Features::query(const Placed<shapes::Ellipsoid>& a, const Placed<shapes:
   if (search.proves_separation()) return proof(search.value, search.m);
   const double allowance = polyhedron_rounding * size;
   const double gap = search.value;
-  const Vec3d n = normalized(-(b.rotation * search.m));               // of the rounding of both factors
-  const Vec3d touch = b.rotation * -ellipsoid.support(search.m).arm;  // relative to the ellipsoid's centre
-  const Contact c = smooth_contact(gap, gap - allowance, std::max(search.upper, gap) + allowance, n, touch,
-                                   touch + gap * n, unit.up, search.iterations);
+  const Vec3d n = normalized(-(b.rotation * search.m));  // of the rounding of both factors
+  Vec3d on_a, on_b;                                      // relative to the ellipsoid's centre
+  if (Vec3d across; search.across(across)) {
+    on_b = b.rotation * (across - ellipsoid.centre);
+    on_a = on_b - gap * n;
+  } else {
+    on_a = b.rotation * -ellipsoid.support(search.m).arm;
+    on_b = on_a + gap * n;
+  }
+  const Contact c = smooth_contact(gap, gap - allowance, std::max(search.upper, gap) + allowance, n, on_a, on_b,
+                                   unit.up, search.iterations);
   if (cache) cache->axis = c.status == Status::separated ? transposed_times(a.rotation, n) : Vec3d{};
   return c;
 }

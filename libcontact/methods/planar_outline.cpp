@@ -179,14 +179,26 @@ class EllipseLoop {
     return true;
   }
 
-  void try_foot(const EllipsoidFoot& foot, const Vec3d& normal, const Vec3d& y, const Vec3d& v, double lowest) {
+  bool try_foot(const EllipsoidFoot& foot, const Vec3d& normal, const Vec3d& y, const Vec3d& v, double lowest) {
     const double f = lowest - norm(support(normal));
-    if (!(f > best_)) return;
+    if (!(f > best_)) return false;
     best_ = f;
     n_ = normal;
     on_a_ = e_.rotation * foot.foot;
     on_b_ = v;
     excess_ = foot.residual * norm(y);
+    return true;
+  }
+
+  // The best normal is that of a foot, with another vertex the lowest along it: as good as a direction next to it
+  // (bodies about one centre). Then the point of the polygon is the one across the gap, where there is one.
+  void across() {
+    const Vec3d opposite = on_a_ + best_ * n_;
+    for (std::uint32_t i = 0; i < p_.size(); ++i) {
+      const Vec3d out = p_.normal(i);
+      if (dot_xy(out, opposite) - p_.height(i, out) > 16 * epsilon * size_) return;
+    }
+    on_b_ = opposite;
   }
 
   // The sides' normals hold the maximum where they bound a vertex cone; inside the cone it is the normal of a foot.
@@ -197,9 +209,11 @@ class EllipseLoop {
       const int count = second_foot(e_.semi_axes, y, feet[1]) ? 2 : 1;
       for (int k = 0; k < count; ++k) {
         const Vec3d normal = e_.rotation * feet[k].normal;
-        double lowest = infinity;
-        for (std::uint32_t j = 0; j < p_.size(); ++j) lowest = std::min(lowest, dot_xy(normal, p_.vertex(j)));
-        try_foot(feet[k], normal, y, v, lowest);
+        double lowest = dot_xy(normal, v);
+        std::uint32_t at = i;
+        for (std::uint32_t j = 0; j < p_.size(); ++j)
+          if (const double h = dot_xy(normal, p_.vertex(j)); h < lowest) lowest = h, at = j;
+        if (try_foot(feet[k], normal, y, p_.vertex(at), lowest) && at != i) across();
       }
     }
   }

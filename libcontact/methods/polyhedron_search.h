@@ -27,6 +27,21 @@ class PolyhedronSearch {
   double value = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
   Vec3d m{};
   int iterations = 0;
+  // One or two vertices on which the maximum is known to lie; 0: a face's normal, or not known.
+  std::uint32_t on[2] = {};
+  int on_count = 0;
+
+  // The point of the polyhedron across the gap, where a vertex or an edge holds the maximum. That point is known to
+  // rounding; the body's deepest one is off by the rounding of m times its radius of curvature.
+  bool across(Vec3d& x) const {
+    if (on_count == 0) return false;
+    x = corner(on[0]);
+    if (on_count == 1) return true;
+    const Vec3d e = corner(on[1]) - x;
+    const double along = dot(body_.deepest(m) - x, e), square = dot(e, e);
+    x += e * std::clamp(along / square, 0.0, 1.0);
+    return true;
+  }
 
   bool proves_separation() const { return value > enough_; }
 
@@ -64,7 +79,15 @@ class PolyhedronSearch {
       const Extreme highest = highest_vertex(p_, at);
       const double reached = dot(at, body_.centre) - body_.support(at).height - scale_ * highest.value;
       keep(reached, at);
-      if (proves_separation() || upper - value <= 8 * epsilon * size_) return true;
+      if (proves_separation()) return true;
+      if (upper - value <= 8 * epsilon * size_) {
+        if (count < 3 && value - reached <= 8 * epsilon * size_) {
+          m = at;
+          std::copy_n(basis, count, on);
+          on_count = count;
+        }
+        return true;
+      }
       for (int i = 0; i < count; ++i)
         if (basis[i] == highest.index) return false;
       basis[count++] = highest.index;
