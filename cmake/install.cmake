@@ -33,5 +33,7 @@ configure_package_config_file(cmake/contactConfig.cmake.in ${CMAKE_BINARY_DIR}/c
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/contactConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/contactConfig.cmake ${CMAKE_BINARY_DIR}/contactConfigVersion.cmake
         DESTINATION ${package_folder})
+list(TRANSFORM independent_definitions PREPEND " -D" OUTPUT_VARIABLE independent_flags)
+list(JOIN independent_flags "" independent_flags)
 configure_file(cmake/contact.pc.in ${CMAKE_BINARY_DIR}/contact.pc @ONLY)
 install(FILES ${CMAKE_BINARY_DIR}/contact.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -7,13 +7,11 @@
 #include <ccd/ccd.h>
 #include <ccd/quat.h>
 #include <fcl/fcl.h>
-#include <sys/mman.h>
-#include <sys/time.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <map>
+
+#include "tests/guard/child.h"
 
 namespace pairs {
 
@@ -99,32 +97,10 @@ using Ask = std::function<Answer(std::size_t)>;
 
 // Which pairs come back within 50 ms of processor time.
 std::vector<std::size_t> answered(std::size_t count, const Ask& ask) {
-  auto* const done = static_cast<unsigned char*>(
-      mmap(nullptr, count, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));  // zero
-  for (std::size_t next = 0; next < count;) {
-    const pid_t child = fork();
-    if (child == 0) {
-      for (std::size_t i = next; i < count; ++i) {
-        done[i] = 1;
-        const itimerval limit{{0, 0}, {0, 50000}};
-        setitimer(ITIMER_PROF, &limit, nullptr);
-        try {
-          ask(i);
-          done[i] = 2;
-        } catch (const std::exception&) {
-        }
-      }
-      _exit(0);
-    }
-    int status = 0;
-    waitpid(child, &status, 0);
-    while (next < count && done[next] != 0) ++next;  // the last one begun is lost
-    if (WIFEXITED(status)) break;
-  }
+  const auto answers = guard::in_child(count, 0.05, ask);
   std::vector<std::size_t> list;
   for (std::size_t i = 0; i < count; ++i)
-    if (done[i] == 2) list.push_back(i);
-  munmap(done, count);
+    if (answers[i]) list.push_back(i);
   return list;
 }
 

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <tuple>
+#include <utility>
 
 #include "libcontact/methods/analytic.h"
+#include "libcontact/methods/ccd.h"
 #include "libcontact/methods/clip.h"
 #include "libcontact/methods/clip_volume.h"
 #include "libcontact/methods/common_normal.h"
@@ -25,8 +27,18 @@
 
 namespace contact {
 
-using Methods = std::tuple<Analytic, PolyhedronPlane, SupportNewton, Sat, Features, Rounded, Potential, Planar,
-                           PerramWertheim, GeometricPotential, CommonNormal, IntersectionMidpoint, Clip, VertexTriangle,
-                           ClipVolume, ConstrainedMinimisation, Mpr, GjkEpa>;
+// By other libraries, where the build has them: their cost ranks begin here.
+inline constexpr int first_rank_of_other_libraries = 100;
+#ifdef CONTACT_HAS_CCD
+using CcdMethods = std::tuple<CcdMpr, CcdGjkEpa>;
+#else
+using CcdMethods = std::tuple<>;
+#endif
+
+using OwnMethods = std::tuple<Analytic, PolyhedronPlane, SupportNewton, Sat, Features, Rounded, Potential, Planar,
+                              PerramWertheim, GeometricPotential, CommonNormal, IntersectionMidpoint, Clip,
+                              VertexTriangle, ClipVolume, ConstrainedMinimisation, Mpr, GjkEpa>;
+
+using Methods = decltype(std::tuple_cat(std::declval<OwnMethods>(), std::declval<CcdMethods>()));
 
 }  // namespace contact

@@ -1,0 +1,23 @@
+# Libraries whose contact methods stand in the list beside ours: used where they are found, unless switched off. Private
+# to libcontact; what is left out is not in the list of methods.
+option(PROJECT_CCD "methods ccd_gjk_epa and ccd_mpr, by libccd" ON)
+option(PROJECT_FCL "method fcl, by the Flexible Collision Library" ON)
+option(PROJECT_NLOPT "method nlopt, by NLopt" ON)
+
+set(independent_libraries "")
+set(independent_definitions "")
+function(independent_library option package target definition)
+  if(NOT ${option})
+    message(STATUS "Methods by ${package}: off (${option})")
+    return()
+  endif()
+  find_package(${package} QUIET CONFIG)
+  if(NOT TARGET ${target})
+    message(STATUS "Methods by ${package}: off, it is not installed")
+    return()
+  endif()
+  message(STATUS "Methods by ${package}: on")
+  set(independent_libraries ${independent_libraries} ${target} PARENT_SCOPE)
+  set(independent_definitions ${independent_definitions} ${definition} PARENT_SCOPE)
+endfunction()
+independent_library(PROJECT_CCD ccd ccd CONTACT_HAS_CCD=1)
