@@ -15,6 +15,7 @@ const shapes::Polyhedron& solid(const ConvexBody& b) { return *static_cast<const
 const shapes::PotentialParticle& potential(const ConvexBody& b) {
   return *static_cast<const shapes::PotentialParticle*>(b.geometry);
 }
+const shapes::Polygon& polygon(const ConvexBody& b) { return *static_cast<const shapes::Polygon*>(b.geometry); }
 shapes::PotentialSupport<double> potential_support(const ConvexBody& b, const Vec3d& n) {
   const Vec3d m = transposed_times(b.rotation, n);
   return shapes::support_from_centre<double>(potential(b), m * (1 / norm(m)));
@@ -33,7 +34,17 @@ ConvexBody::Far ConvexBody::support(const Vec3d& n) const {
                                   : climb(p, m, p.lookup[shapes::lookup_patch(m, p.lookup_cells)]).index;
       return {rotation * (scale * p.vertices[v]), v};
     }
-    case Kind::ellipsoid: {
+    case Kind::polygon: {
+      const shapes::Polygon& p = polygon(*this);
+      const Vec3d m = transposed_times(rotation, n);
+      std::uint32_t v = 0;
+      double most = -std::numeric_limits<double>::infinity();
+      for (std::uint32_t i = 0; i < p.vertices.size(); ++i)
+        if (const double along = dot(m, p.vertices[i]); along > most) most = along, v = i;
+      return {rotation * (scale * p.vertices[v]), v};
+    }
+    case Kind::ellipsoid:
+    case Kind::ellipse: {
       const Vec3d u = scaled(axes, transposed_times(rotation, n));
       return {rotation * scaled(axes, u * (1 / norm(u)))};
     }
@@ -56,6 +67,8 @@ Vec3d ConvexBody::inner_centre() const {
     case Kind::polyhedron:
     case Kind::rounded_polyhedron:
       return rotation * (scale * core_ball(solid(*this)).centre);
+    case Kind::polygon:
+      return rotation * (scale * polygon(*this).centroid);
     case Kind::potential_particle:
       return rotation * (scale * potential(*this).centre);
     default:
@@ -72,6 +85,15 @@ double ConvexBody::inner_radius() const {
       return scale * potential(*this).inner_radius;
     case Kind::ellipsoid:
       return std::min({axes.x, axes.y, axes.z});
+    case Kind::ellipse:
+      return std::min(axes.x, axes.y);
+    case Kind::polygon: {
+      const shapes::Polygon& p = polygon(*this);
+      double least = p.circumradius;
+      for (std::size_t i = 0; i < p.normals.size(); ++i)
+        least = std::min(least, p.offsets[i] - dot(p.normals[i], p.centroid));
+      return scale * least;
+    }
     default:
       return margin;
   }

@@ -1,5 +1,6 @@
 // Convex bodies as gjk_epa and mpr see them, one type for all kinds: a core with a support function, a margin about it,
-// and a ball inside. A plane is its normal alone.
+// and a ball inside. A plane or a line is its normal alone. Bodies of the plane keep z exactly 0; a polygon that is not
+// convex is refused.
 #pragma once
 
 #include <algorithm>
@@ -11,17 +12,20 @@ namespace contact {
 
 struct ConvexBody {
   shapes::Kind kind{};
-  const void* geometry = nullptr;  // of polyhedra, rounded or not, and potential particles
-  Vec3d axes{};                    // of an ellipsoid; of a plane the normal
+  const void* geometry = nullptr;  // of polyhedra, rounded or not, potential particles and polygons
+  Vec3d axes{};                    // of an ellipsoid or ellipse; of a plane or line the normal
   double scale = 1;                // of the geometry
-  double margin = 0;               // the radius of a sphere, whose core is a point, or of the rounding
-  double reach = 0;                // radius of a ball about the origin that holds the body; 0 of a plane
+  double margin = 0;               // the radius of a sphere or disc, whose core is a point, or of the rounding
+  double reach = 0;                // radius of a ball about the origin that holds the body; 0 of a wall
   double least = 0;                // what must not vanish beside the extent of the pair
   Mat3d rotation = Mat3d::identity();
 
   static constexpr std::uint32_t no_vertex = 0xffffffffu;
   bool is_solid() const { return kind == shapes::Kind::polyhedron || kind == shapes::Kind::rounded_polyhedron; }
-  bool has_corners() const { return is_solid() || kind == shapes::Kind::sphere; }  // of the core: a polytope or a point
+  bool is_flat() const { return shapes::dimension_of(kind) == 2; }
+  bool has_corners() const {  // of the core: a polytope or a point
+    return kind != shapes::Kind::ellipsoid && kind != shapes::Kind::ellipse && kind != shapes::Kind::potential_particle;
+  }
 
   struct Far {
     Vec3d at;  // of the core, from the body's origin
@@ -72,6 +76,28 @@ inline ConvexBody convex_body(const Placed<shapes::PotentialParticle>& p) {
 inline ConvexBody convex_body(const Placed<shapes::Plane>& p) {
   return {.kind = shapes::Kind::plane, .axes = p.normal, .least = std::numeric_limits<double>::infinity()};
 }
+inline Mat3d turn(double cosine, double sine) { return {{{cosine, -sine, 0}, {sine, cosine, 0}, {0, 0, 1}}}; }
+inline ConvexBody convex_body(const Placed<shapes::Disc>& d) {
+  return {.kind = shapes::Kind::disc, .margin = d.radius, .reach = d.radius, .least = d.radius};
+}
+inline ConvexBody convex_body(const Placed<shapes::Ellipse>& e) {
+  return {.kind = shapes::Kind::ellipse,
+          .axes = {e.a, e.b, 0},
+          .reach = std::max(e.a, e.b),
+          .least = e.a > 0 && e.b > 0 ? std::min(e.a, e.b) : 0,
+          .rotation = turn(e.cosine, e.sine)};
+}
+inline ConvexBody convex_body(const Placed<shapes::Polygon>& p) {
+  return {.kind = shapes::Kind::polygon,
+          .geometry = p.shape,
+          .scale = p.scale,
+          .reach = p.scale * p.shape->circumradius,
+          .least = p.shape->convex ? p.scale : 0,
+          .rotation = turn(p.cosine, p.sine)};
+}
+inline ConvexBody convex_body(const Placed<shapes::Line>& l) {
+  return {.kind = shapes::Kind::line, .axes = l.normal, .least = std::numeric_limits<double>::infinity()};
+}
 
 // A pair that has a convex body first, and a body or a wall second.
 template <class A, class B>
@@ -82,10 +108,11 @@ concept ConvexKinds = !shapes::is_wall(shapes::kind_of<A>()) &&
   convex_body(b);
 };
 
-// The core is a polytope or a point.
+// Cores of both that are polytopes or points: a search ends in a few steps.
 template <class S>
-inline constexpr bool ends_in_corners =
-    std::is_same_v<S, shapes::Sphere> || std::is_same_v<S, shapes::Polyhedron> ||
-    std::is_same_v<S, shapes::RoundedPolyhedron> || std::is_same_v<S, shapes::Plane>;
+inline constexpr bool is_round = std::is_same_v<S, shapes::Ellipsoid> || std::is_same_v<S, shapes::Ellipse> ||
+                                 std::is_same_v<S, shapes::PotentialParticle>;
+template <class A, class B>
+inline constexpr bool have_corners = !(is_round<A> || is_round<B>);
 
 }  // namespace contact

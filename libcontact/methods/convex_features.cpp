@@ -1,5 +1,5 @@
-// The end of gjk_epa on polyhedra: the normal of a face, of a pair of edges, or across an edge, instead of that between
-// two points, which nearly touching bodies leave without digits; and the nearest points of those features.
+// The end of gjk_epa on polyhedra and polygons: the normal of a face, of a pair of edges, or across an edge, instead of
+// that between two points, which nearly touching bodies leave without digits; and the nearest points of those features.
 #include <cmath>
 
 #include "libcontact/methods/convex_search.h"
@@ -15,7 +15,7 @@ namespace {
 class Named {
  public:
   Named(const ConvexBody& body, const Simplex& s, std::uint32_t ConvexPair::Corner::*vertex) : body_(body) {
-    if (!body.is_solid()) return;
+    if (!body.is_solid() && body.kind != shapes::Kind::polygon) return;
     for (int i = 0; i < s.count; ++i) {
       const std::uint32_t v = s.p[i].*vertex;
       bool known = v == ConvexBody::no_vertex;
@@ -24,24 +24,30 @@ class Named {
     }
   }
 
-  // use(face) for that face around each vertex whose normal is nearest to n.
+  // use(face) for that face around each vertex whose normal is nearest to n; of a polygon an edge.
   template <class Use>
   void for_each_face(const Vec3d& n, Use&& use) const {
     const Vec3d m = transposed_times(body_.rotation, n);
     for (int i = 0; i < count_; ++i) {
       double most = -2;
-      const shapes::Polyhedron::Face* best = nullptr;
-      for_each_spoke(i, [&](const auto& spoke) {
-        const auto& face = solid().faces[spoke.face];
-        if (const double along = dot(face.normal, m); along > most) most = along, best = &face;
-      });
-      if (best != nullptr) use(*best);  // none of a direction that is not finite
+      std::uint32_t best = ConvexBody::no_vertex;
+      const auto offer = [&](std::uint32_t face) {
+        if (const double along = dot(normal(face), m); along > most) most = along, best = face;
+      };
+      if (body_.is_solid()) {
+        for_each_spoke(i, [&](const auto& spoke) { offer(spoke.face); });
+      } else {
+        offer(vertex_[i]);
+        offer(polygon().before(vertex_[i]));
+      }
+      if (best != ConvexBody::no_vertex) use(best);  // none of a direction that is not finite
     }
   }
   // use(start, vector) for the edge at each vertex that is most nearly perpendicular to n, and the lines from one
   // vertex to another; from the body's origin.
   template <class Use>
   void for_each_edge(const Vec3d& n, Use&& use) const {
+    if (!body_.is_solid()) return;
     const Vec3d m = transposed_times(body_.rotation, n);
     for (int i = 0; i < count_; ++i) {
       const Vec3d& start = solid().vertices[vertex_[i]];
@@ -57,18 +63,30 @@ class Named {
   }
   template <class Use>
   void for_each_vertex(Use&& use) const {
-    for (int i = 0; i < count_; ++i) use(placed(solid().vertices[vertex_[i]]));
+    for (int i = 0; i < count_; ++i)
+      use(placed(body_.is_solid() ? solid().vertices[vertex_[i]] : polygon().vertices[vertex_[i]]));
   }
-  Vec3d outward(const shapes::Polyhedron::Face& face) const { return body_.rotation * face.normal; }
+  Vec3d outward(std::uint32_t face) const { return body_.rotation * normal(face); }
   // How high x, from the body's origin, stands over the face; negative when it stands beside it.
-  double height_over(const shapes::Polyhedron::Face& face, const Vec3d& x) const {
+  double height_over(std::uint32_t face, const Vec3d& x) const {
     const Vec3d y = transposed_times(body_.rotation, x);
-    return over_face(solid(), face, body_.scale, y) ? dot(face.normal, y) - body_.scale * face.offset : -1;
+    if (body_.is_solid()) {
+      const auto& f = solid().faces[face];
+      return over_face(solid(), f, body_.scale, y) ? dot(f.normal, y) - body_.scale * f.offset : -1;
+    }
+    const Vec3d start = body_.scale * polygon().vertices[face],
+                e = body_.scale * polygon().vertices[polygon().next(face)] - start;
+    const double along = dot(y - start, e);
+    return along >= 0 && along <= dot(e, e) ? dot(normal(face), y) - body_.scale * polygon().offsets[face] : -1;
   }
 
  private:
   Vec3d placed(const Vec3d& x) const { return body_.rotation * (body_.scale * x); }
+  const Vec3d& normal(std::uint32_t face) const {
+    return body_.is_solid() ? solid().faces[face].normal : polygon().normals[face];
+  }
   const shapes::Polyhedron& solid() const { return *static_cast<const shapes::Polyhedron*>(body_.geometry); }
+  const shapes::Polygon& polygon() const { return *static_cast<const shapes::Polygon*>(body_.geometry); }
   template <class Use>
   void for_each_spoke(int i, Use&& use) const {
     const shapes::Polyhedron& p = solid();
@@ -87,18 +105,16 @@ void bring_points(ConvexSearch& s, const Named& a, const Named& b) {
     const double distance = norm(on_b - on_a);
     if (!(distance < s.upper)) return;
     s.upper = distance;
-    s.near = Simplex{};
-    s.near.p[0] = {on_a - on_b, on_a};
-    s.near.count = 1;
+    s.set_near(on_a - on_b, on_a);
   };
   const Vec3d on_a = s.near.on_a(), on_b = on_a - s.near.nearest();
   const auto over_a = [&](const Vec3d& x) {
-    a.for_each_face(s.normal, [&](const auto& face) {
+    a.for_each_face(s.normal, [&](std::uint32_t face) {
       if (const double h = a.height_over(face, x); h >= 0) offer(x - h * a.outward(face), x);
     });
   };
   const auto over_b = [&](const Vec3d& x) {
-    b.for_each_face(-s.normal, [&](const auto& face) {
+    b.for_each_face(-s.normal, [&](std::uint32_t face) {
       if (const double h = b.height_over(face, x - d); h >= 0) offer(x, x - h * b.outward(face));
     });
   };
@@ -128,8 +144,8 @@ void finish_on_features(ConvexSearch& s) {
     if (s.closed() || !(length_and_direction(candidate, m) > 0)) return;
     s.probe(dot(m, n) < 0 ? -m : m);
   };
-  a.for_each_face(n, [&](const auto& face) { offer(a.outward(face)); });
-  b.for_each_face(-n, [&](const auto& face) { offer(-b.outward(face)); });
+  a.for_each_face(n, [&](std::uint32_t face) { offer(a.outward(face)); });
+  b.for_each_face(-n, [&](std::uint32_t face) { offer(-b.outward(face)); });
   a.for_each_edge(n, [&](const Vec3d&, const Vec3d& e) {
     offer(perpendicular(n, e));
     b.for_each_edge(n, [&](const Vec3d&, const Vec3d& f) { offer(cross(e, f)); });

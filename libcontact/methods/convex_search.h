@@ -13,7 +13,7 @@ namespace contact {
 struct Simplex {
   ConvexPair::Corner p[4];
   double weight[4] = {1, 0, 0, 0};
-  int count = 0;
+  int count = 0, full = 4;  // corners, and how many of them hold an inside: 3 in the plane
 
   Vec3d nearest() const {
     Vec3d v{};
@@ -37,7 +37,9 @@ struct ConvexSearch {
   Simplex near{};  // of K, apart: the nearest known; else the face of the polytope that gave `normal`
   int steps = 0;
 
-  explicit ConvexSearch(const ConvexPair& p) : pair(p), ball(norm(p.inside()) - (p.inner_radius() - p.margins())) {}
+  explicit ConvexSearch(const ConvexPair& p) : pair(p), ball(norm(p.inside()) - (p.inner_radius() - p.margins())) {
+    near.full = p.a.is_flat() ? 3 : 4;
+  }
 
   // The farthest corner along a unit n, which bounds the gap of the cores.
   ConvexPair::Corner probe(const Vec3d& n) {
@@ -45,6 +47,12 @@ struct ConvexSearch {
     if (const double value = -dot(n, w.at); value > lower) lower = value, normal = n;
     ++steps;
     return w;
+  }
+  // The simplex of one point between the bodies.
+  void set_near(const Vec3d& at, const Vec3d& on_a) {
+    near.p[0] = {at, on_a};
+    near.weight[0] = 1;
+    near.count = 1;
   }
   // Rounding of a separation, and the width at which the search ends: of corners alone it does by itself.
   double rounding() const { return 0x1p-46 * pair.size; }
@@ -56,10 +64,11 @@ struct ConvexSearch {
   bool closed() const { return width() <= stop_width(); }
 };
 
-// The depth of the origin in K, which lies in a tetrahedron of corners of it, the border included.
-void expand(ConvexSearch& search, Simplex tetrahedron);
+// The depth of the origin in K, which lies in a tetrahedron of corners of it, or a triangle in the plane, the border
+// included.
+void expand(ConvexSearch& search, Simplex full);
 
-// Better normals from the features of polyhedra that the corners of `near` name.
+// Better normals from the features of polyhedra and polygons that the corners of `near` name.
 void finish_on_features(ConvexSearch& search);
 
 }  // namespace contact

@@ -1,6 +1,7 @@
 #include "libcontact/methods/gjk_epa.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "libcontact/methods/convex_search.h"
@@ -61,7 +62,7 @@ void Simplex::reduce() {
   double best[4] = {1, 0, 0, 0}, w[4], least = std::numeric_limits<double>::infinity();
   for (int mask = (1 << count) - 1; mask > 0; --mask) {
     if (!weights(p, mask, w)) continue;
-    if (mask == 15) {
+    if (std::popcount(static_cast<unsigned>(mask)) == full) {
       std::copy(w, w + 4, best);
       break;
     }
@@ -83,21 +84,21 @@ void Simplex::reduce() {
 
 namespace {
 
-// Of a simplex that holds the origin, to rounding, makes a tetrahedron that does. False when the bodies touch: K ends
-// at the origin.
+// Of a simplex that holds the origin, to rounding, makes a full one that does. False when the bodies touch: K ends at
+// the origin.
 bool enclose(ConvexSearch& s) {
   Simplex& x = s.near;
-  while (x.count < 4) {
-    if (s.lower >= -s.rounding()) return false;
-    Vec3d n, across;
+  while (x.count < x.full) {
+    if (x.count == 1 || s.lower >= -s.rounding()) return false;
+    const Vec3d e = x.p[1].at - x.p[0].at;
+    Vec3d n, across, other;
     if (x.count == 3) {
-      length_and_direction(cross(x.p[1].at - x.p[0].at, x.p[2].at - x.p[0].at), n);
-    } else if (x.count == 2) {
-      length_and_direction(x.p[1].at - x.p[0].at, across);
-      Vec3d other;
-      tangent_frame(across, n, other);
+      length_and_direction(cross(e, x.p[2].at - x.p[0].at), n);
+    } else if (x.full == 3) {
+      length_and_direction({-e.y, e.x, 0}, n);
     } else {
-      return false;
+      length_and_direction(e, across);
+      tangent_frame(across, n, other);
     }
     x.p[x.count++] = s.probe(n);
   }
@@ -106,7 +107,7 @@ bool enclose(ConvexSearch& s) {
 
 // The nearest point of the segment from the last one to a new corner: closer where that corner lies nearer along it.
 Simplex towards(const Simplex& from, const Corner& w) {
-  Simplex s;
+  Simplex s = from;
   s.p[0] = {from.nearest(), from.on_a()};
   s.p[1] = w;
   s.count = 2;
@@ -127,7 +128,7 @@ ConvexMeasure measure(const ConvexPair& pair) {
     Simplex next = s.near;
     next.p[next.count++] = w;
     next.reduce();
-    if (next.count == 4) {
+    if (next.count == next.full) {
       s.near = next;
       s.upper = 0;
       break;

@@ -45,6 +45,16 @@ Place on_ray(const Vec3d& p, const Corner& u, const Corner& v, const Corner& w) 
   return {at, (1 / sum) * (a * u.on_a + b * v.on_a + c * w.on_a) - 0.5 * at};
 }
 
+// Which way the ray passes a point of the plane.
+double side(const Vec3d& p, const Corner& u) { return p.x * u.at.y - p.y * u.at.x; }
+// Where it passes the segment to a point on its other side.
+Place on_ray(const Vec3d& p, const Corner& u, const Corner& v) {
+  const double a = std::abs(side(p, v)), b = std::abs(side(p, u)), sum = a + b;
+  if (!(sum > 0)) return place(u);
+  const Vec3d at = (1 / sum) * (a * u.at + b * v.at);
+  return {at, (1 / sum) * (a * u.on_a + b * v.on_a) - 0.5 * at};
+}
+
 class Search {
  public:
   explicit Search(const ConvexPair& pair) : pair_(pair), p_(pair.inside()), ball_(pair.inner_radius()) {
@@ -54,9 +64,11 @@ class Search {
     ball_ = 0.5 * ball_ - distance;
   }
 
-  ConvexMeasure run();
+  ConvexMeasure run() { return pair_.a.is_flat() ? in_the_plane() : in_space(); }
 
  private:
+  ConvexMeasure in_space();
+  ConvexMeasure in_the_plane();
   ConvexMeasure apart(const Vec3d& n, const Corner& c) const {
     ConvexMeasure m = answer(n, place(c), true);
     m.upper = norm(c.at);  // (4)
@@ -82,12 +94,42 @@ class Search {
   const ConvexPair& pair_;
   Vec3d p_;      // inner point
   double ball_;  // radius of a ball in K about it
+  double stop_ = std::fmax((pair_.tolerance > 0 ? pair_.tolerance : 1e-10) * pair_.small, 0x1p-46 * pair_.size);
   int steps_ = 0;
 };
 
-ConvexMeasure Search::run() {
+ConvexMeasure Search::in_the_plane() {
+  Vec3d n = direction(-p_);
+  Corner v1 = support(pair_, n);
+  if (!(dot(v1.at, n) > 0)) return apart(n, v1);  // (1)
+  double s1 = side(p_, v1);
+  if (!(std::abs(s1) > 0x1p-44 * pair_.size * norm(p_))) return overlapping(n, place(v1), true);
+  // The line through p and v1 turns towards the origin until the ray lies between its ends.
+  Corner v2;
+  for (;; ++steps_) {
+    n = direction({p_.y - v1.at.y, v1.at.x - p_.x, 0});
+    if (dot(n, p_) > 0) n = -n;
+    v2 = support(pair_, n);
+    if (!(dot(v2.at, n) > 0)) return apart(n, v2);
+    const double s2 = side(p_, v2);
+    if (!(s1 * s2 > 0)) break;
+    if (steps_ > step_limit) return overlapping(n, place(v1), false);
+    v1 = v2;
+    s1 = s2;
+  }
+  for (;; ++steps_) {
+    n = direction({v1.at.y - v2.at.y, v2.at.x - v1.at.x, 0});
+    if (dot(n, v1.at - p_) < 0) n = -n;
+    if (steps_ > step_limit) return overlapping(n, on_ray(p_, v1, v2), false);
+    const Corner v3 = support(pair_, n);
+    if (!(dot(v3.at, n) > 0)) return apart(n, v3);                                        // (1)
+    if (dot(v3.at - v1.at, n) <= stop_) return overlapping(n, on_ray(p_, v1, v2), true);  // (2)
+    (side(p_, v3) * s1 > 0 ? v1 : v2) = v3;
+  }
+}
+
+ConvexMeasure Search::in_space() {
   const Vec3d ray = direction(-p_);
-  const double stop = std::fmax((pair_.tolerance > 0 ? pair_.tolerance : 1e-10) * pair_.small, 0x1p-46 * pair_.size);
   Vec3d n = ray;
   Corner v1 = support(pair_, n);
   if (!(dot(v1.at, n) > 0)) return apart(n, v1);  // (1)
@@ -126,8 +168,8 @@ ConvexMeasure Search::run() {
     n = direction(dot(normal, v1.at - p_) < 0 ? -normal : normal);
     if (steps_ > step_limit) return overlapping(n, on_ray(p_, v1, v2, v3), false);
     const Corner v4 = support(pair_, n);
-    if (!(dot(v4.at, n) > 0)) return apart(n, v4);                                           // (1)
-    if (dot(v4.at - v1.at, n) <= stop) return overlapping(n, on_ray(p_, v1, v2, v3), true);  // (2)
+    if (!(dot(v4.at, n) > 0)) return apart(n, v4);                                            // (1)
+    if (dot(v4.at - v1.at, n) <= stop_) return overlapping(n, on_ray(p_, v1, v2, v3), true);  // (2)
     // Of the three triangles at v4 the one that the ray passes through.
     const Vec3d c = cross(v4.at, p_);
     if (dot(v1.at, c) > 0)

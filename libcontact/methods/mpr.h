@@ -1,22 +1,21 @@
-// Any pair of convex bodies by Minkowski portal refinement: where the ray from a point inside K = A − B through the
-// origin leaves K.
+// Any pair of convex bodies, of space or of the plane, by Minkowski portal refinement: where the ray from a point
+// inside K = A − B through the origin leaves K.
 //
-//   portal: a triangle of K's points that the ray passes through, n its normal away from the inner point
+//   portal: a triangle of K's points that the ray passes through, in the plane a segment; n its normal, outwards
 //   apart when the farthest point of K along n is below the origin; overlapping when the portal lies beyond it   (1)
-//   refined until K reaches no farther than 1e-10 of the smaller circumradius, or `tolerance` of it, above the portal
-//                                                                                                               (2)
+//   refined until K reaches no farther above the portal than 1e-10, or `tolerance`, of the smaller circumradius  (2)
 //   method_overlap = h_K(n) = −gap, method_point midway between the points of A and B on the ray                (3)
-//   gap <= |p + t (x − p)| − (1 − t) r: what a ball of radius r in K about the inner point p and a point x of K, of the
-//   portal on the ray, span about the origin; apart gap <= |x|                                                  (4)
+//   gap <= |p + t (x − p)| − (1 − t) r, of a ball of radius r in K about the inner point p and the portal's point x
+//   on the ray: both span a ball about the origin; apart gap <= |x|                                             (4)
 //
 // (3) is the depth along the normal where the ray leaves K, not the least translation: the direction comes from the
 // centres. gap is that separation along n, with (4) and the balls inside as upper bounds, which may be far. Where the
-// inner point is the origin, another one in the same ball is taken. 200 steps end as not_converged. A plane has one
-// normal, and its answer is one support point.
+// inner point is the origin, another one in the same ball is taken. 200 steps end as not_converged. A plane or
+// line has one normal, and its answer is one support point.
 //
 // Source: G. Snethen, in Game Programming Gems 7 (2008). Cost: 0.2 us a pair of spheres, 0.9 us of cubes, 1.5 us of 50
-// vertices, 3–4 us of ellipsoids, 14–35 us with potential particles; 0.4–0.8 us apart, 2–7 us with potential particles
-// (bench_pairs). Tests: tests/libcontact/convex_methods.cpp, contract.cpp.
+// vertices, 3–4 us of ellipsoids, 14–35 us with potential particles; 0.4–0.8 us apart, 2–7 us with potential particles;
+// 0.8 us octagons, 1.4 us ellipses (bench_pairs). Tests: tests/libcontact/convex_methods.cpp, contract.cpp.
 #pragma once
 
 #include "libcontact/export.h"

@@ -9,6 +9,8 @@
 
 #include "libcontact/dispatch.h"
 #include "shapes/math/quat.h"
+#include "shapes/math/trig.h"
+#include "shapes/polygon_build.h"
 #include "shapes/polyhedron_build.h"
 #include "tests/libcontact/catalogue.h"
 #include "tests/shapes/potential_samples.h"
@@ -42,8 +44,24 @@ const std::vector<shapes::Polyhedron>& solids() {
   return list;
 }
 
+const std::vector<shapes::Polygon>& polygons() {
+  static const std::vector<shapes::Polygon> list{
+      shapes::make_regular_polygon(3, 1), shapes::make_regular_polygon(8, 1),
+      shapes::polygon_hull(std::vector<Vec3d>{{-1, -0.125, 0}, {1, -0.125, 0}, {1, 0.125, 0}, {-1, 0.125, 0}}),
+      shapes::polygon_hull(std::vector<Vec3d>{{-0.5, -0.5, 0}, {1, -0.25, 0}, {0.25, 0.75, 0}, {-0.75, 0.5, 0}})};
+  return list;
+}
+
+bool is_flat(Kind kind) { return shapes::dimension_of(kind) == 2; }
+
 Body sample(Kind kind, Draw& draw) {
   Body b{kind, 0, nullptr, {draw.uniform(0.3, 1.2), 0, 0}, draw.rotation()};
+  if (is_flat(kind)) {
+    const shapes::SineCosine t = shapes::sine_cosine(draw.uniform(-3, 3));
+    b.rotation = {{{t.cosine, -t.sine, 0}, {t.sine, t.cosine, 0}, {0, 0, 1}}};
+  }
+  if (kind == Kind::ellipse) b.size = {draw.uniform(0.3, 1.2), draw.uniform(0.3, 1.2), 0};
+  if (kind == Kind::polygon) b.geometry = &polygons()[draw.engine() % polygons().size()];
   if (kind == Kind::ellipsoid) b.size = {draw.uniform(0.3, 1.2), draw.uniform(0.3, 1.2), draw.uniform(0.3, 1.2)};
   if (kind == Kind::polyhedron || kind == Kind::rounded_polyhedron)
     b.geometry = &solids()[draw.engine() % solids().size()];
@@ -51,6 +69,12 @@ Body sample(Kind kind, Draw& draw) {
   if (kind == Kind::potential_particle)
     b.geometry = &shape_tests::potential_particles()[draw.engine() % shape_tests::potential_particles().size()];
   return b;
+}
+
+Vec3d direction(Kind kind, Draw& draw) {
+  if (!is_flat(kind)) return draw.direction();
+  const shapes::SineCosine t = shapes::sine_cosine(draw.uniform(-3, 3));
+  return {t.cosine, t.sine, 0};
 }
 
 struct Drawn {
@@ -61,17 +85,18 @@ struct Drawn {
 Drawn draw_pair(const MethodInfo& m, Draw& draw) {
   Drawn p{sample(m.a, draw), sample(m.b, draw), {}, 0, 0};
   const double ra = circumradius(p.a), rb = circumradius(p.b);
-  if (m.b == Kind::plane)
-    p.offset = 0.5 * draw.direction() - draw.uniform(-0.2, 1.1) * ra * p.b.rotation.column(2);
+  const Vec3d along = direction(m.a, draw);
+  if (is_wall(m.b))
+    p.offset = 0.5 * along - draw.uniform(-0.2, 1.1) * ra * p.b.rotation.column(m.b == Kind::line ? 1 : 2);
   else
-    p.offset = draw.uniform(0.4, 1.1) * (ra + rb) * draw.direction();
+    p.offset = draw.uniform(0.4, 1.1) * (ra + rb) * along;
   p.size = ra + rb + norm(p.offset);
-  p.small = m.b == Kind::plane ? ra : std::min(ra, rb);
+  p.small = is_wall(m.b) ? ra : std::min(ra, rb);
   return p;
 }
 
 bool has_corners(Kind k) {  // of the core
-  return k == Kind::sphere || k == Kind::polyhedron || k == Kind::rounded_polyhedron || k == Kind::plane;
+  return k != Kind::ellipsoid && k != Kind::potential_particle && k != Kind::ellipse;
 }
 
 std::vector<MethodInfo> answered_by(std::string_view method) {
@@ -130,7 +155,7 @@ TEST_P(GjkEpaPairs, a_tolerance_is_met_and_saves_steps) {
   }
   if (has_corners(m.a) && has_corners(m.b)) {
     EXPECT_LE(coarse_steps, fine_steps);
-  } else if (m.b != Kind::plane) {
+  } else if (!is_wall(m.b)) {
     EXPECT_LT(1.3 * static_cast<double>(coarse_steps), static_cast<double>(fine_steps));
   }
 }
@@ -163,7 +188,8 @@ TEST_P(MprPairs, it_decides_overlap_and_is_never_shallower) {
   }
   EXPECT_EQ(open, 0);
   EXPECT_GE(proven, overlapping * 95 / 100);
-  if (m.b != Kind::plane && !(m.a == Kind::sphere && m.b == Kind::sphere)) {
+  const bool round = (m.a == Kind::sphere || m.a == Kind::disc) && m.a == m.b;
+  if (!is_wall(m.b) && !round) {
     EXPECT_GT(deeper, 5);
   }
 }
@@ -174,7 +200,7 @@ INSTANTIATE_TEST_SUITE_P(ConvexMethods, MprPairs, testing::ValuesIn(answered_by(
 TEST(ConvexMethods, bodies_with_one_centre) {
   for (const char* method : {"gjk_epa", "mpr"})
     for (const MethodInfo& m : answered_by(method)) {
-      if (m.b == Kind::plane) continue;
+      if (is_wall(m.b)) continue;
       Draw draw;
       for (int i = 0; i < 30; ++i) {
         Body a = sample(m.a, draw), b = sample(m.b, draw);
@@ -191,6 +217,20 @@ TEST(ConvexMethods, bodies_with_one_centre) {
         }
       }
     }
+}
+
+// Outlines that are not convex are not theirs.
+TEST(ConvexMethods, a_polygon_that_is_not_convex_is_refused) {
+  const shapes::Polygon hook = shapes::polygon_from_outline(
+      std::vector<Vec3d>{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}});
+  Body a, b;
+  a.kind = Kind::disc;
+  a.size = {0.5, 0, 0};
+  b.kind = Kind::polygon;
+  b.geometry = &hook;
+  b.size = {1, 0, 0};
+  ASSERT_EQ(query(a, b, {3, 0, 0}).status, Status::separated);
+  for (const char* method : {"gjk_epa", "mpr"}) EXPECT_EQ(query(a, b, {3, 0, 0}, {}, method).status, Status::refused);
 }
 
 TEST(ConvexMethods, a_ball_in_a_face_and_beside_it) {
