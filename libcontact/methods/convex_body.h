@@ -108,11 +108,11 @@ concept ConvexKinds = !shapes::is_wall(shapes::kind_of<A>()) &&
   convex_body(b);
 };
 
-// Cores of both that are polytopes or points: a search ends in a few steps.
+// A search ends in a few steps: both cores are polytopes or points, or one normal answers.
 template <class S>
 inline constexpr bool is_round = std::is_same_v<S, shapes::Ellipsoid> || std::is_same_v<S, shapes::Ellipse> ||
                                  std::is_same_v<S, shapes::PotentialParticle>;
 template <class A, class B>
-inline constexpr bool have_corners = !(is_round<A> || is_round<B>);
+inline constexpr bool ends_early = shapes::is_wall(shapes::kind_of<B>()) || !(is_round<A> || is_round<B>);
 
 }  // namespace contact

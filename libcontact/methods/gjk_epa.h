@@ -28,7 +28,7 @@ namespace contact {
 struct CONTACT_API GjkEpa {
   static constexpr const char* name = "gjk_epa";
   template <class A, class B>  // polytopes end in a few steps, round bodies close in on their points
-  static constexpr int cost_rank = have_corners<A, B> ? 45 : 80;
+  static constexpr int cost_rank = ends_early<A, B> ? 45 : 80;
   static constexpr const char* remark = "support functions alone: GJK and an expanding polytope";
   static constexpr bool exact = false;
   static constexpr double reach = 1e-9;

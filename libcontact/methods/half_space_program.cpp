@@ -111,7 +111,11 @@ void tightest(const shapes::Polyhedron& p, double scale, const Vec3d& x, int bod
 Violation tightest(const PolyhedronPair& pair, const Vec3d& x) {
   Violation v;
   tightest(*pair.self, pair.self_scale, x, 0, v);
-  tightest(*pair.other, pair.other_scale, transposed_times(pair.other_to_self, x - pair.offset), 1, v);
+  if (pair.other != nullptr) {
+    tightest(*pair.other, pair.other_scale, transposed_times(pair.other_to_self, x - pair.offset), 1, v);
+  } else if (const double slack = dot(pair.other_to_self.column(2), pair.offset - x); slack < v.slack) {
+    v = {slack, 0, 1};
+  }
   return v;
 }
 
@@ -119,6 +123,10 @@ Row row_of(const PolyhedronPair& pair, const Violation& v) {
   if (v.body == 0) {
     const auto& face = pair.self->faces[v.face];
     return {face.normal, pair.self_scale * face.offset, 0};
+  }
+  if (pair.other == nullptr) {
+    const Vec3d a = pair.other_to_self.column(2);
+    return {a, dot(a, pair.offset), 1};
   }
   const auto& face = pair.other->faces[v.face];
   const Vec3d a = pair.other_to_self * face.normal;
@@ -163,6 +171,10 @@ namespace {
 template <class Use>
 void for_each_plane(const PolyhedronPair& pair, const Vec3d& x, Use&& use) {
   for (const auto& face : pair.self->faces) use(pair.self_scale * face.offset - dot(face.normal, x), face.normal);
+  if (pair.other == nullptr) {
+    const Vec3d a = pair.other_to_self.column(2);
+    return use(dot(a, pair.offset - x), a);
+  }
   const Vec3d y = transposed_times(pair.other_to_self, x - pair.offset);
   for (const auto& face : pair.other->faces)
     use(pair.other_scale * face.offset - dot(face.normal, y), pair.other_to_self * face.normal);
@@ -187,33 +199,72 @@ double step_length(const PolyhedronPair& pair, const Vec3d& x, const Vec3d& step
   return safe;
 }
 
+// Newton's step of −Σ log s, and its length in the norm of the second derivative H = Σ a aᵀ/s²; `least` slack.
+struct NewtonStep {
+  Vec3d step{};
+  double decrement = std::numeric_limits<double>::quiet_NaN(), least = std::numeric_limits<double>::infinity();
+};
+
+// By H = L Lᵀ. No number where H has lost a direction: of a slab it is singular to rounding.
+NewtonStep step_by_products(const PolyhedronPair& pair, const Vec3d& x) {
+  NewtonStep n;
+  Vec3d g{};
+  double h[6] = {};
+  for_each_plane(pair, x, [&](double s, const Vec3d& normal) {
+    n.least = std::min(n.least, s);
+    const Vec3d a = (1 / s) * normal;
+    g += a;
+    h[0] += a.x * a.x, h[1] += a.y * a.y, h[2] += a.z * a.z;
+    h[3] += a.x * a.y, h[4] += a.x * a.z, h[5] += a.y * a.z;
+  });
+  const double l00 = std::sqrt(h[0]), l10 = h[3] / l00, l20 = h[4] / l00, d11 = h[1] - l10 * l10;
+  const double l11 = std::sqrt(d11), l21 = (h[5] - l20 * l10) / l11, d22 = h[2] - l20 * l20 - l21 * l21;
+  if (!(d11 > 0x1p-26 * h[1] && d22 > 0x1p-26 * h[2])) return n;
+  const double l22 = std::sqrt(d22);
+  const double u0 = g.x / l00, u1 = (g.y - l10 * u0) / l11, u2 = (g.z - l20 * u0 - l21 * u1) / l22;
+  n.decrement = std::sqrt(u0 * u0 + u1 * u1 + u2 * u2);
+  n.step.z = -u2 / l22;
+  n.step.y = (-u1 - l21 * n.step.z) / l11;
+  n.step.x = (-u0 - l10 * n.step.y - l20 * n.step.z) / l00;
+  return n;
+}
+
+// The same as the least squares of (a/s)·step = −1, plane by plane turned into a triangle: without the square.
+void step_by_rotations(const PolyhedronPair& pair, const Vec3d& x, NewtonStep& n) {
+  double r[3][4] = {};
+  for_each_plane(pair, x, [&](double s, const Vec3d& normal) {
+    const Vec3d scaled = (1 / s) * normal;
+    double a[4] = {scaled.x, scaled.y, scaled.z, 1};
+    for (int k = 0; k < 3; ++k) {
+      if (a[k] == 0) continue;
+      const double length = std::sqrt(r[k][k] * r[k][k] + a[k] * a[k]), c = r[k][k] / length, w = a[k] / length;
+      for (int j = k; j < 4; ++j) {
+        const double top = r[k][j];
+        r[k][j] = c * top + w * a[j];
+        a[j] = c * a[j] - w * top;
+      }
+    }
+  });
+  n.decrement = std::sqrt(r[0][3] * r[0][3] + r[1][3] * r[1][3] + r[2][3] * r[2][3]);
+  n.step.z = -r[2][3] / r[2][2];
+  n.step.y = (-r[1][3] - r[1][2] * n.step.z) / r[1][1];
+  n.step.x = (-r[0][3] - r[0][1] * n.step.y - r[0][2] * n.step.z) / r[0][0];
+}
+
 }  // namespace
 
 bool analytic_centre(const PolyhedronPair& pair, Vec3d& x, int& steps) {
+  double last = std::numeric_limits<double>::infinity();
   for (steps = 0; steps < 60; ++steps) {
-    // Gradient g = Σ a/s and Hessian H = Σ a aᵀ/s² of −Σ log s.
-    Vec3d g{};
-    double h[6] = {}, least = std::numeric_limits<double>::infinity();
-    for_each_plane(pair, x, [&](double s, const Vec3d& normal) {
-      least = std::min(least, s);
-      const Vec3d a = (1 / s) * normal;
-      g += a;
-      h[0] += a.x * a.x, h[1] += a.y * a.y, h[2] += a.z * a.z;
-      h[3] += a.x * a.y, h[4] += a.x * a.z, h[5] += a.y * a.z;
-    });
-    if (!(least > 0)) return false;
-    // H = L Lᵀ.
-    const double l00 = std::sqrt(h[0]), l10 = h[3] / l00, l20 = h[4] / l00, l11 = std::sqrt(h[1] - l10 * l10),
-                 l21 = (h[5] - l20 * l10) / l11, l22 = std::sqrt(h[2] - l20 * l20 - l21 * l21);
-    const double u0 = g.x / l00, u1 = (g.y - l10 * u0) / l11, u2 = (g.z - l20 * u0 - l21 * u1) / l22;
-    const double decrement = std::sqrt(u0 * u0 + u1 * u1 + u2 * u2);
-    if (!(decrement < largest_decrement)) return false;
-    Vec3d step;
-    step.z = -u2 / l22;
-    step.y = (-u1 - l21 * step.z) / l11;
-    step.x = (-u0 - l10 * step.y - l20 * step.z) / l00;
-    x += (decrement < 0.25 ? 1 : step_length(pair, x, step, 1 / (1 + decrement))) * step;
-    if (decrement < 0x1p-24) return true;  // the step just made leaves its square
+    NewtonStep n = step_by_products(pair, x);
+    if (!(n.least > 0)) return false;
+    if (!(n.decrement < largest_decrement)) step_by_rotations(pair, x, n);
+    if (!(n.decrement < largest_decrement)) return false;
+    // Below 1/4 it falls by its square, but for the rounding of the slacks of a thin overlap.
+    if (n.decrement < 0.25 && n.decrement >= 0.5 * last) return true;
+    last = n.decrement;
+    x += (n.decrement < 0.25 ? 1 : step_length(pair, x, n.step, 1 / (1 + n.decrement))) * n.step;
+    if (n.decrement < 0x1p-24) return true;  // the step just made leaves its square
   }
   return false;
 }

@@ -26,6 +26,8 @@ struct HalfSpaceOptimum {
   Vec3d normal{};       // Σ over a of λ_i a_i; not unit, zero when the ball touches planes of one body alone
 };
 
+// Without `pair.other` its place is taken by a wall: the half-space below the plane through `offset` whose normal is
+// the third column of `other_to_self`.
 HalfSpaceOptimum largest_ball(const PolyhedronPair& pair, double size);
 
 // The analytic centre of the overlap: the x with the largest Π (b_i − a_i·x), from a point inside all planes. False

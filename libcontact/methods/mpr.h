@@ -25,8 +25,12 @@ namespace contact {
 
 struct CONTACT_API Mpr {
   static constexpr const char* name = "mpr";
-  template <class A, class B>  // a margin makes a polyhedron round
-  static constexpr int cost_rank = std::is_same_v<B, shapes::Polyhedron>&& std::is_same_v<A, B> ? 40 : 70;
+  template <class A, class B>  // a margin makes a polytope round
+  static constexpr bool in_few_steps = shapes::is_wall(shapes::kind_of<B>()) ||
+                                       (std::is_same_v<A, B> &&
+                                        (std::is_same_v<A, shapes::Polyhedron> || std::is_same_v<A, shapes::Polygon>));
+  template <class A, class B>
+  static constexpr int cost_rank = in_few_steps<A, B> ? 40 : 70;
   static constexpr const char* remark = "support functions alone: depth where the ray of the centres leaves";
   static constexpr bool exact = false;
 

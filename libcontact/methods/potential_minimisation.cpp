@@ -1,4 +1,4 @@
-// Potential particles: (4)–(6) of constrained_minimisation.h.
+// Potential particles: (4)–(7) of constrained_minimisation.h.
 #include <algorithm>
 #include <cmath>
 
@@ -117,6 +117,33 @@ double way_out(const B& body, const Vec3d& y, const Vec3d& n) {
   return tau;
 }
 
+// argmin of g on the plane through m.x with a unit normal, as `minimise`.
+bool minimise_on_plane(const PotentialAt& body, const Vec3d& normal, Minimum& m) {
+  constexpr int step_limit = 60, last_steps = 3;
+  Vec3d t1, t2;
+  tangent_frame(normal, t1, t2);
+  m.a = level(body, m.x);
+  for (int i = 0, last = 0; i < step_limit; ++i, ++m.steps) {
+    const Vec3d h1 = m.a.half_hessian * t1, h2 = m.a.half_hessian * t2;
+    const double g1 = dot(m.a.half_gradient, t1), g2 = dot(m.a.half_gradient, t2);
+    const double h11 = dot(t1, h1), h12 = dot(t1, h2), h22 = dot(t2, h2), inverse = 1 / (h11 * h22 - h12 * h12);
+    const double u = (h22 * g1 - h12 * g2) * inverse, v = (h11 * g2 - h12 * g1) * inverse;
+    const Vec3d step = u * t1 + v * t2;
+    const double fall = g1 * u + g2 * v, before = m.a.g;
+    if (!(fall > 0x1p-80 * before)) return fall >= 0;
+    const bool resolved = fall > 0x1p-44 * before;
+    const Vec3d from = m.x;
+    for (double fraction = 1;; fraction *= 0.5) {
+      m.x = from - fraction * step;
+      m.a = level(body, m.x);
+      if (!resolved || m.a.g <= before - 0.1 * fraction * fall) break;
+      if (!(fraction > 0x1p-40)) return false;
+    }
+    if (!resolved && ++last == last_steps) return true;
+  }
+  return false;
+}
+
 BallAt in_units(const Placed<shapes::Sphere>& s, double down) { return {s.radius * down}; }
 PotentialAt in_units(const Placed<shapes::PotentialParticle>& p, double down) {
   return {p.shape, p.scale * down, p.rotation};
@@ -175,6 +202,22 @@ Contact ConstrainedMinimisation::query(const Placed<shapes::PotentialParticle>& 
                                        Cache*) {
   if (seen_from_b(offset)) return exchanged(answer(b, a, -offset), offset);
   return answer(a, b, offset);
+}
+
+Contact ConstrainedMinimisation::query(const Placed<shapes::PotentialParticle>& a, const Placed<shapes::Plane>& b,
+                                       const Vec3d& offset, const Options&, Cache*) {
+  Contact c = Potential::query(a, b, offset, {.overlap_only = false, .patch = false}, nullptr);
+  if (c.status == Status::refused) return c;
+  const Scale scale = scale_of(max_abs(offset) + reach(a));
+  const PotentialAt body = in_units(a, scale.down);
+  const Vec3d n = -b.normal, centre = body.inner_centre();
+  Minimum m;
+  m.x = centre + dot(n, offset * scale.down - centre) * n;
+  if (!minimise_on_plane(body, n, m)) c.status = Status::not_converged;
+  c.iterations = m.steps;
+  c.method_point = m.x * scale.up;
+  if (m.a.g < 1) c.method_overlap = way_out(body, m.x, n) * scale.up;  // (7)
+  return c;
 }
 
 }  // namespace contact

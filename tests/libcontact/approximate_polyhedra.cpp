@@ -72,6 +72,53 @@ TEST(ConstrainedMinimisation, a_body_inside_another_is_handed_over) {
   EXPECT_EQ(c.gap, query(body(cube()), body(small), {0.125, 0.25, 0}).gap);
 }
 
+Body plane() {
+  Body b;
+  b.kind = Kind::plane;
+  return b;
+}
+
+TEST(ConstrainedMinimisation, a_cube_on_a_plane) {
+  for (const double overlap : {0.25, 1e-6, 1e-12, -0.5}) {
+    // The body's origin is its centre, at 1 − overlap over the plane.
+    const Contact c = ask("constrained_minimisation", body(cube()), plane(), {0.5, 0.25, -1 + overlap});
+    SCOPED_TRACE(overlap);
+    EXPECT_FALSE(c.handed_over);
+    EXPECT_NEAR(c.gap, -overlap, 64 * epsilon);
+    EXPECT_NEAR(c.method_overlap, 0.5 * overlap, 64 * epsilon);
+    EXPECT_TRUE(c.method_normal == (Vec3d{0, 0, -1}));
+    EXPECT_EQ(c.status, overlap > 0 ? Status::overlapping : Status::separated);
+    if (!(overlap > 0)) continue;
+    EXPECT_NEAR(c.method_point.x, 0, 1e-8);
+    EXPECT_NEAR(c.method_point.y, 0, 1e-8);
+    // u over the lower face: 1/u = 1/(overlap − u) + 1/(2 − u), of the three planes along z.
+    const double sum = 2 * overlap + 4, u = 4 * overlap / (sum + std::sqrt(sum * sum - 24 * overlap));
+    EXPECT_NEAR(c.method_point.z, -1 + u, 1e-6 * overlap + 4 * epsilon);
+  }
+  // Wholly under the plane the ball is the cube's own.
+  const Contact under = ask("constrained_minimisation", body(cube()), plane(), {0, 0, 5});
+  EXPECT_FALSE(under.handed_over);
+  EXPECT_NEAR(under.gap, -6, 64 * epsilon);
+  EXPECT_NEAR(under.method_overlap, 1, 64 * epsilon);
+}
+
+// In a slab a million million times thinner than wide the second derivative is singular to rounding; the centre is not.
+TEST(ConstrainedMinimisation, the_centre_of_a_thin_overlap_is_found) {
+  Draw draw;
+  for (int i = 0; i < 200; ++i) {
+    const Body a = body(solids()[draw.engine() % solids().size()], draw.rotation());
+    const Vec3d far = 3.0 * draw.vector();
+    const Contact apart = query(a, plane(), far);
+    const double overlap = std::pow(10.0, -draw.uniform(3, 12));
+    const Contact c = ask("constrained_minimisation", a, plane(), far - (apart.gap + overlap) * apart.normal);
+    SCOPED_TRACE(i);
+    EXPECT_EQ(c.status, Status::overlapping);
+    const Contact face = ask("constrained_minimisation", body(cube()), body(cube()), {2 - overlap, 1e-3 * i, 0.5});
+    EXPECT_EQ(face.status, Status::overlapping);
+    EXPECT_NEAR(face.method_point.y, 0.5e-3 * i, 1e-6);
+  }
+}
+
 // Primal and dual meet; the ball is inside all planes; no other point has a larger one.
 TEST(ConstrainedMinimisation, the_optimum_is_certified) {
   Draw draw;

@@ -89,4 +89,42 @@ TEST(PotentialMinimisation, the_point_is_the_minimum) {
   }
 }
 
+// On a plane the gradient is along its normal, and as the overlap vanishes the measure is the overlap; of a ball
+// always.
+TEST(PotentialMinimisation, a_plane) {
+  Draw draw;
+  Body plane;
+  plane.kind = Kind::plane;
+  for (int i = 0; i < 100; ++i) {
+    const PotentialParticle& p = draw.particle();
+    const Body a = body(p, draw.rotation());
+    plane.rotation = draw.rotation();
+    const Vec3d normal = plane.rotation.column(2);
+    const double overlap = i % 2 == 0 ? 1e-6 : 0.05 * p.inner_radius;
+    Vec3d d = 2.0 * draw.direction();
+    d -= (query(a, plane, d).gap + overlap) * -normal;
+    const Contact c = ask(a, plane, d);
+    SCOPED_TRACE(i);
+    EXPECT_FALSE(c.handed_over);
+    EXPECT_EQ(c.status, Status::overlapping);
+    EXPECT_NEAR(c.gap, -overlap, 1e-13);
+    EXPECT_NEAR(dot(normal, c.method_point - d), 0, 1e-14);  // on the plane
+    const auto l = shapes::level_at<double>(p, transposed_times(a.rotation, c.method_point) - p.centre);
+    EXPECT_LT(l.g, 1);
+    const Vec3d slope = a.rotation * l.half_gradient;
+    EXPECT_LE(norm(cross(slope, normal)), 1e-8 * norm(slope));
+    EXPECT_LT(dot(slope, normal), 0);
+    EXPECT_LE(c.method_overlap, overlap + 1e-13);  // the deepest point lies at most beside the line
+    if (i % 2 == 0) {
+      EXPECT_NEAR(c.method_overlap, overlap, 0.05 * overlap);
+    }
+  }
+  const auto planes = shape_tests::planes_of_faces(shapes::make_box({2, 2, 2}));
+  const PotentialParticle ball = shapes::make_potential_particle(planes, 1, 1, 0.75, shapes::Frame::as_given, 1e-5);
+  plane.rotation = Mat3d::identity();
+  const Contact c = ask(body(ball), plane, {0.5, 0.25, -0.8 * ball.R});
+  EXPECT_NEAR(c.method_overlap, 0.2 * ball.R, 1e-14);
+  EXPECT_LE(norm(c.method_point - Vec3d{0, 0, -0.8 * ball.R}), 1e-12);
+}
+
 }  // namespace
