@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "libcontact/methods/difference_corner.h"
 #include "libcontact/methods/segments.h"
 
 namespace contact {
@@ -13,7 +14,6 @@ constexpr int iteration_limit = 64;
 
 struct SimplexVertex {
   Vec3d y;  // other − self
-  Vec3d a, b;
   std::uint32_t on_self, on_other;
 };
 
@@ -29,54 +29,38 @@ struct Simplex {
   }
 };
 
-// Weights of the point of a sub-simplex nearest to the origin; `chosen` has a bit per vertex that takes part.
+// The part of a simplex that is nearest to the origin: its vertices, the weights of the nearest point.
 struct Nearest {
-  double weight[4] = {};
+  int count, vertex[3];
+  double weight[3];
   double square = std::numeric_limits<double>::infinity();
 };
 
-void consider(const Simplex& s, const double (&weight)[4], Nearest& best) {
-  Vec3d y{};
-  for (int i = 0; i < s.count; ++i) y += weight[i] * s.vertex[i].y;
-  const double square = dot(y, y);
-  if (square < best.square) {
-    best.square = square;
-    std::copy(weight, weight + 4, best.weight);
-  }
-}
-
-// All vertices, and the insides of all edges and triangles: the nearest point of a simplex lies in one of them, unless
-// the origin is inside.
+// Of the last vertex and of the insides of the edges and triangles at it: every other point of the boundary belongs to
+// the simplex before, whose nearest point is known to be farther. Unless the origin is inside.
 Nearest nearest_of_boundary(const Simplex& s) {
-  Nearest best;
-  for (int i = 0; i < s.count; ++i) {
-    double w[4] = {};
-    w[i] = 1;
-    consider(s, w, best);
-    for (int j = i + 1; j < s.count; ++j) {
-      const Vec3d e = s.vertex[j].y - s.vertex[i].y;
-      const double t = -dot(s.vertex[i].y, e), square = dot(e, e);
-      if (t > 0 && t < square) {
-        double v[4] = {};
-        v[j] = t / square;
-        v[i] = 1 - v[j];
-        consider(s, v, best);
-      }
-      for (int k = j + 1; k < s.count; ++k) {
-        const Vec3d f = s.vertex[k].y - s.vertex[i].y;
-        const Vec3d n = cross(e, f), w0 = s.vertex[i].y;
-        const double area = dot(n, n);
-        const double wj = -dot(cross(w0, f), n), wk = -dot(cross(e, w0), n);
-        if (area > 0 && wj > 0 && wk > 0 && wj + wk < area) {
-          double v[4] = {};
-          v[j] = wj / area;
-          v[k] = wk / area;
-          v[i] = 1 - v[j] - v[k];
-          consider(s, v, best);
-        }
-      }
-    }
+  const int last = s.count - 1;
+  const Vec3d& w = s.vertex[last].y;
+  Nearest best{1, {last}, {1}, dot(w, w)};
+  Vec3d edge[3];
+  for (int i = 0; i < last; ++i) {
+    const Vec3d e = edge[i] = s.vertex[i].y - w;
+    const double t = -dot(w, e), square = dot(e, e);
+    if (!(t > 0 && t < square)) continue;
+    const double along = t / square;
+    const Vec3d y = (1 - along) * w + along * s.vertex[i].y;
+    if (const double d = dot(y, y); d < best.square) best = {2, {last, i}, {1 - along, along}, d};
   }
+  for (int i = 0; i < last; ++i)
+    for (int j = i + 1; j < last; ++j) {
+      const Vec3d n = cross(edge[i], edge[j]);
+      const double area = dot(n, n);
+      const double wi = -dot(cross(w, edge[j]), n), wj = -dot(cross(edge[i], w), n);
+      if (!(area > 0 && wi > 0 && wj > 0 && wi + wj < area)) continue;
+      const double ti = wi / area, tj = wj / area, rest = 1 - ti - tj;
+      const Vec3d y = rest * w + ti * s.vertex[i].y + tj * s.vertex[j].y;
+      if (const double d = dot(y, y); d < best.square) best = {3, {last, i, j}, {rest, ti, tj}, d};
+    }
   return best;
 }
 
@@ -102,55 +86,55 @@ struct Best {
   }
   void direction(const Vec3d& v) {
     const double length = norm(v);
-    if (!(length > 0)) return;
-    const Vec3d n = v * (1 / length);
-    const double value = pair.separation(n).value;
-    if (value > found.lower) found.lower = value, found.normal = n;
+    if (length > 0) unit_direction(v * (1 / length));
+  }
+  void unit_direction(const Vec3d& n) {
+    const Separation at = pair.separation(n);
+    if (at.value > found.lower) found.lower = at.value, found.normal = n, found.at = at;
   }
 };
 
+// Supports of large bodies are found by walks, which may end early: a direction counts as it does over all vertices.
 void run_gjk(Best& best, double size) {
   const PolyhedronPair& pair = best.pair;
-  const auto vertex_of = [&](const Separation& s) {
-    SimplexVertex v;
-    v.a = pair.self_vertex(s.on_self);
-    v.b = pair.other_vertex(s.on_other);
-    v.y = v.b - v.a;
-    v.on_self = s.on_self;
-    v.on_other = s.on_other;
-    return v;
-  };
   Simplex s;
-  s.vertex[0] = vertex_of(pair.separation(best.found.normal));
+  s.vertex[0] = {pair.other_vertex(best.found.at.on_other) - pair.self_vertex(best.found.at.on_self),
+                 best.found.at.on_self, best.found.at.on_other};
   s.weight[0] = 1;
   s.count = 1;
+  double highest = best.found.lower;
+  Vec3d normal = best.found.normal;
   for (int& i = best.found.iterations; i < iteration_limit; ++i) {
     const Vec3d v = s.nearest();
     const double square = dot(v, v);
     if (!(square > 16 * epsilon * epsilon * size * size)) break;
     const double length = std::sqrt(square);
     const Vec3d n = v * (1 / length);
-    const Separation support = pair.separation(n);
-    if (support.value > best.found.lower) best.found.lower = support.value, best.found.normal = n;
-    bool repeated = length - support.value <= 4 * epsilon * size;
-    for (int k = 0; k < s.count; ++k)
-      repeated |= s.vertex[k].on_self == support.on_self && s.vertex[k].on_other == support.on_other;
+    const Corner corner = support(pair, n);
+    const double value = -dot(n, corner.at);
+    if (value > highest) highest = value, normal = n;
+    bool repeated = length - value <= 4 * epsilon * size;
+    for (int k = 0; k < s.count; ++k) repeated |= s.vertex[k].on_self == corner.a && s.vertex[k].on_other == corner.b;
     if (repeated) break;
-    s.vertex[s.count++] = vertex_of(support);
+    s.vertex[s.count++] = {-corner.at, corner.a, corner.b};
     if (holds_origin(s)) break;
     const Nearest nearest = nearest_of_boundary(s);
     if (!(nearest.square < square)) {  // no progress in rounding: keep what was found
       --s.count;
       break;
     }
-    int kept = 0;
-    for (int k = 0; k < s.count; ++k)
-      if (nearest.weight[k] > 0) s.vertex[kept] = s.vertex[k], s.weight[kept++] = nearest.weight[k];
-    s.count = kept;
+    SimplexVertex kept[3];
+    for (int k = 0; k < nearest.count; ++k) kept[k] = s.vertex[nearest.vertex[k]];
+    s.count = nearest.count;
+    for (int k = 0; k < s.count; ++k) s.vertex[k] = kept[k], s.weight[k] = nearest.weight[k];
   }
+  best.unit_direction(normal);
   if (s.count == 4) return;  // the origin inside: the points found so far stand
   Vec3d a{}, b{};
-  for (int k = 0; k < s.count; ++k) a += s.weight[k] * s.vertex[k].a, b += s.weight[k] * s.vertex[k].b;
+  for (int k = 0; k < s.count; ++k) {
+    a += s.weight[k] * pair.self_vertex(s.vertex[k].on_self);
+    b += s.weight[k] * pair.other_vertex(s.vertex[k].on_other);
+  }
   best.points(a, b);
 }
 
@@ -217,10 +201,10 @@ void compare_features(Best& best, double size) {
 
 }  // namespace
 
-PolyhedronDistance polyhedron_distance(const PolyhedronPair& pair, const Vec3d& normal, double size) {
-  const Separation start = pair.separation(normal);
-  const Vec3d a = pair.self_vertex(start.on_self), b = pair.other_vertex(start.on_other);
-  Best best{pair, {start.value, norm(b - a), normal, a, b, 0}};
+PolyhedronDistance polyhedron_distance(const PolyhedronPair& pair, const Vec3d& normal, const Separation& at,
+                                       double size) {
+  const Vec3d a = pair.self_vertex(at.on_self), b = pair.other_vertex(at.on_other);
+  Best best{pair, {at.value, norm(b - a), normal, a, b, 0, at}};
   run_gjk(best, size);
   if (best.found.upper - best.found.lower > 8 * epsilon * size) compare_features(best, size);
   return best.found;

@@ -187,10 +187,10 @@ void overlap(const DifferencePair& pair, const DifferenceFacet& facet, const Fac
 }
 
 // The distance, from a direction along which the bodies do not overlap.
-void distance(const PolyhedronPair& pair, const Vec3d& direction, const Frame& frame, const Memory& memory,
-              Contact& c) {
-  const PolyhedronDistance found = polyhedron_distance(pair, direction, frame.size);
-  memory.keep(found.normal, pair.separation(found.normal));
+void distance(const PolyhedronPair& pair, const Vec3d& direction, const Separation& at, const Frame& frame,
+              const Memory& memory, Contact& c) {
+  const PolyhedronDistance found = polyhedron_distance(pair, direction, at, frame.size);
+  memory.keep(found.normal, found.at);
   c.gap = 0.5 * (found.lower + found.upper);
   c.normal = frame.rotation_a * found.normal;
   c.point_a = frame.rotation_a * found.on_self;
@@ -228,8 +228,7 @@ void solve(const Solid& a, const Solid& b, const Vec3d& offset, const Options& o
     memory.keep(n, pair.separation(n));
     return apart_along(length - reach, d_world * (1 / length));
   }
-  const auto apart_for_sure = [&](const Vec3d& n) {
-    const Separation at = pair.separation(n);
+  const auto apart_for_sure = [&](const Vec3d& n, const Separation& at) {
     if (!(at.value > enough)) return false;
     memory.keep(n, at);
     apart_along(at.value, a.rotation * n);
@@ -238,20 +237,23 @@ void solve(const Solid& a, const Solid& b, const Vec3d& offset, const Options& o
   DifferenceFacet facet = memory.facet();
   FacetAxis axis{};
   if (prove_nearest(pair, facet, axis) != Nearest::proven) {
-    if (axis.value > enough && apart_for_sure(axis.normal)) return;  // what overlapped before may separate now
+    // What overlapped before may separate now.
+    if (axis.value > enough && apart_for_sure(axis.normal, pair.separation(axis.normal))) return;
     Vec3d apart{};
     if (!find_nearest(pair, facet, axis, apart)) {
       if (const double square = dot(apart, apart); square > 0) {
         const Vec3d n = apart * (1 / std::sqrt(square));
-        if (apart_for_sure(n)) return;
-        if (pair.separation(n).value > 0) return distance(pair, n, frame, memory, c);
+        const Separation at = pair.separation(n);
+        if (apart_for_sure(n, at)) return;
+        if (at.value > 0) return distance(pair, n, at, frame, memory, c);
       }
       facet = search_all(pair, enough);
       if (facet.kind == DifferenceFacet::none) return;  // nothing compares: a rotation is not finite
       axis = axis_of(pair, facet);
       if (!(std::abs(axis.value) <= 8)) return;
-      if (axis.value > enough && apart_for_sure(axis.normal)) return;
-      if (axis.value > -polyhedron_rounding * frame.size) return distance(pair, axis.normal, frame, memory, c);
+      const Separation at = pair.separation(axis.normal);
+      if (axis.value > enough && apart_for_sure(axis.normal, at)) return;
+      if (axis.value > -polyhedron_rounding * frame.size) return distance(pair, axis.normal, at, frame, memory, c);
     }
   }
   memory.keep(facet);
