@@ -1,6 +1,7 @@
 #include "libcontact/methods/face_patch.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace contact {
 namespace {
@@ -9,30 +10,135 @@ struct PlanePoint {
   double u, v;
 };
 
-// Moments of the part of `polygon` over a convex counter-clockwise outline of at most polygon_cap corners.
-void add_over(const DepthPoint* polygon, std::size_t count, const PlanePoint* outline, std::size_t corners,
-              DepthMoments& moments) {
-  DepthPoint buffer[2][2 * polygon_cap + 2];
-  const DepthPoint* current = polygon;
-  int next = 0;
-  for (std::size_t k = 0; k < corners; ++k) {
-    const PlanePoint p = outline[k], q = outline[k + 1 == corners ? 0 : k + 1];
-    const double cu = p.v - q.v, cv = q.u - p.u, c = -(cu * p.u + cv * p.v);
-    bool outside = false;
-    for (std::size_t i = 0; i < count; ++i) outside |= cu * current[i].u + cv * current[i].v + c < 0;
-    if (!outside) continue;
-    count = clip(current, count, cu, cv, 0, c, buffer[next]);
-    if (count < 3) return;
-    current = buffer[next];
-    next = 1 - next;
+// A convex counter-clockwise polygon of at most polygon_cap corners as half-planes cu·u + cv·v + c >= 0.
+class Outline {
+ public:
+  Outline(const PlanePoint* corner, std::size_t count) : count_(count) {
+    for (std::size_t k = 0; k < count; ++k) {
+      const PlanePoint p = corner[k], q = corner[k + 1 == count ? 0 : k + 1];
+      const double cu = p.v - q.v, cv = q.u - p.u;
+      side_[k] = {cu, cv, -(cu * p.u + cv * p.v)};  // of short sides far away p × q would cancel
+    }
   }
-  moments.add(current, count);
-}
+  // A disc about (0, 0) of this squared radius lies inside.
+  bool holds_disc(double square) const {
+    for (std::size_t k = 0; k < count_; ++k) {
+      const Side& s = side_[k];
+      if (!(s.c > 0 && s.c * s.c > square * (s.cu * s.cu + s.cv * s.cv))) return false;
+    }
+    return true;
+  }
+  // Some of the points lie beyond side k.
+  bool crosses(std::size_t k, const DepthPoint* point, std::size_t count) const {
+    bool beyond = false;
+    for (std::size_t i = 0; i < count; ++i)
+      beyond |= side_[k].cu * point[i].u + side_[k].cv * point[i].v + side_[k].c < 0;
+    return beyond;
+  }
+  std::size_t count() const { return count_; }
+  std::size_t clip_side(std::size_t k, const DepthPoint* in, std::size_t count, DepthPoint* out) const {
+    return clip(in, count, side_[k].cu, side_[k].cv, 0, side_[k].c, out);
+  }
+
+ private:
+  struct Side {
+    double cu, cv, c;
+  };
+  Side side_[polygon_cap];
+  std::size_t count_;
+};
+
+// Moments of what faces of a body have under the plane and over an outline.
+class Submerged {
+ public:
+  Submerged(const shapes::Polyhedron& p, const DepthMap& map, const Outline& outline, DepthMoments& moments)
+      : p_(p), map_(map), outline_(outline), moments_(moments) {}
+
+  // The faces that look at the plane, under it and over the outline, hang together across edges that have a part there:
+  // below a plane the body's lower side is convex, and so is the outline. A walk from the deepest vertex, at (0, 0),
+  // meets them all. False, before anything is added, for what it is not for.
+  bool add_around(std::uint32_t deepest) {
+    if (p_.faces.size() > walk_cap || !outline_.holds_disc(0)) return false;
+    std::uint64_t seen[walk_cap / 64];
+    std::fill_n(seen, (p_.faces.size() + 63) / 64, 0);
+    std::uint16_t queue[walk_cap];
+    std::size_t count = 0;
+    const auto enqueue = [&](std::uint32_t f) {
+      const std::uint64_t bit = std::uint64_t{1} << (f % 64);
+      if ((seen[f / 64] & bit) != 0) return;
+      seen[f / 64] |= bit;
+      queue[count++] = static_cast<std::uint16_t>(f);
+    };
+    for (std::uint32_t k = p_.first_spoke[deepest]; k < p_.first_spoke[deepest + 1]; ++k) enqueue(p_.spokes[k].face);
+    for (std::size_t i = 0; i < count; ++i)
+      add(queue[i], [&](std::uint32_t edge) {
+        const auto& e = p_.edges[edge];
+        enqueue(e.face[e.face[0] == queue[i] ? 1 : 0]);
+      });
+    return true;
+  }
+  void add_all() {
+    for (std::uint32_t f = 0; f < p_.faces.size(); ++f) add(f, [](std::uint32_t) {});
+  }
+
+ private:
+  // Calls `across` for every edge that may have a part under the plane and over the outline.
+  template <class Across>
+  void add(std::uint32_t f, Across&& across) {
+    const auto& face = p_.faces[f];
+    if (dot(face.normal, map_.normal) >= 0) return;
+    const std::uint32_t *loop = p_.face_vertices.data() + face.first, *edge = p_.face_edges.data() + face.first;
+    DepthPoint polygon[polygon_cap];
+    if (face.count > polygon_cap) {
+      polygon[0] = map_(p_.vertices[loop[0]]);
+      for (std::uint32_t k = 1; k + 1 < face.count; ++k) {
+        polygon[1] = map_(p_.vertices[loop[k]]);
+        polygon[2] = map_(p_.vertices[loop[k + 1]]);
+        add_part(polygon, 3);
+      }
+      for (std::uint32_t k = 0; k < face.count; ++k) across(edge[k]);
+      return;
+    }
+    for (std::uint32_t k = 0; k < face.count; ++k) polygon[k] = map_(p_.vertices[loop[k]]);
+    if (!add_part(polygon, face.count)) return;
+    for (std::uint32_t k = 0; k < face.count; ++k)
+      if (polygon[k].h > 0 || polygon[k + 1 == face.count ? 0 : k + 1].h > 0) across(edge[k]);
+  }
+  // What of a polygon lies under the plane and over the outline. False when there is nothing.
+  bool add_part(const DepthPoint* polygon, std::size_t count) {
+    DepthPoint buffer[2][2 * polygon_cap + 2];
+    bool below = false, above = false;
+    for (std::size_t k = 0; k < count; ++k) (polygon[k].h > 0 ? below : above) = true;
+    if (!below) return false;
+    const DepthPoint* current = polygon;
+    int next = 0;
+    if (above) {
+      count = clip(current, count, 0, 0, 1, 0, buffer[0]);
+      current = buffer[0];
+      next = 1;
+    }
+    for (std::size_t k = 0; k < outline_.count() && count >= 3; ++k) {
+      if (!outline_.crosses(k, current, count)) continue;
+      count = outline_.clip_side(k, current, count, buffer[next]);
+      current = buffer[next];
+      next = 1 - next;
+    }
+    if (count < 3) return false;
+    moments_.add(current, count);
+    return true;
+  }
+
+  static constexpr std::size_t walk_cap = 4096;
+  const shapes::Polyhedron& p_;
+  const DepthMap& map_;
+  const Outline& outline_;
+  DepthMoments& moments_;
+};
 
 // The patch of a single vertex below the plane, at its tip (0, 0), whose edges cross the plane within the outline: a
 // fan of corners. False when that is not so.
-bool add_tip(const shapes::Polyhedron& p, const DepthMap& map, std::uint32_t tip, double depth,
-             const PlanePoint* outline, std::size_t corners, DepthMoments& moments) {
+bool add_tip(const shapes::Polyhedron& p, const DepthMap& map, std::uint32_t tip, double depth, const Outline& outline,
+             DepthMoments& moments) {
   constexpr std::uint32_t cap = 16;
   const std::uint32_t first = p.first_spoke[tip], count = p.first_spoke[tip + 1] - first;
   if (count > cap) return false;
@@ -47,13 +153,7 @@ bool add_tip(const shapes::Polyhedron& p, const DepthMap& map, std::uint32_t tip
     rim[k] = {t * dot(map.u_axis, e), t * dot(map.v_axis, e), 0};
     square = std::max(square, rim[k].u * rim[k].u + rim[k].v * rim[k].v);
   }
-  PlanePoint a = outline[corners - 1];
-  for (std::size_t k = 0; k < corners; ++k) {
-    const PlanePoint b = outline[k];
-    const double eu = b.u - a.u, ev = b.v - a.v, within = a.u * b.v - a.v * b.u;  // |e| times the distance of the side
-    if (!(within > 0 && within * within > square * (eu * eu + ev * ev))) return false;
-    a = b;
-  }
+  if (!outline.holds_disc(square)) return false;
   // Seen from outside, against the normal, the edges of the tip turn the other way than in the plane.
   for (std::uint32_t k = 0; k < count; ++k) moments.add_corner(depth, rim[k + 1 == count ? 0 : k + 1], rim[k]);
   moments.deepest = {0, 0, depth};
@@ -81,20 +181,19 @@ void face_patch(const PolyhedronPair& pair, const Mat3d& rotation, const Vec3d& 
     return PlanePoint{dot(u, x), dot(v, x)};
   };
   DepthMoments moments;
-  const auto add_parts = [&](const PlanePoint* outline, std::size_t corners) {
-    const auto add = [&](const DepthPoint* polygon, std::size_t count) {
-      add_over(polygon, count, outline, corners, moments);
-    };
-    if (!for_each_submerged_near(other, map, deepest, add)) for_each_submerged(other, map, add);
-  };
   if (f.count <= polygon_cap) {
-    PlanePoint outline[polygon_cap];
-    for (std::size_t k = 0; k < f.count; ++k) outline[k] = corner(k);
-    if (!add_tip(other, map, deepest, -gap, outline, f.count, moments)) add_parts(outline, f.count);
+    PlanePoint corners[polygon_cap];
+    for (std::size_t k = 0; k < f.count; ++k) corners[k] = corner(k);
+    const Outline outline(corners, f.count);
+    if (!add_tip(other, map, deepest, -gap, outline, moments)) {
+      Submerged part(other, map, outline, moments);
+      if (!part.add_around(deepest)) part.add_all();
+    }
   } else {
     for (std::size_t k = 1; k + 1 < f.count; ++k) {
-      const PlanePoint outline[3] = {corner(0), corner(k), corner(k + 1)};
-      add_parts(outline, 3);
+      const PlanePoint corners[3] = {corner(0), corner(k), corner(k + 1)};
+      const Outline outline(corners, 3);
+      Submerged(other, map, outline, moments).add_all();
     }
   }
   const PlaneFrame plane{rotation * foot + position, rotation * u, rotation * v, rotation * f.normal};

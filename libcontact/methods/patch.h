@@ -8,7 +8,6 @@
 // leaves the patch moves nothing at once.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 
 #include "libcontact/contact.h"
@@ -96,35 +95,6 @@ void for_each_submerged(const shapes::Polyhedron& p, const DepthMap& map, Visit&
     return known ? height[i] : map.h0 - map.scale * dot(map.normal, p.vertices[i]);
   };
   for (const auto& face : p.faces) visit_submerged(p, face, map, depth_of, visit);
-}
-
-// The same by a walk over the vertices below the plane from the deepest one: they hang together, the body being convex.
-// For the few of a shallow overlap; false, before anything is visited, when there are more.
-template <class Visit>
-bool for_each_submerged_near(const shapes::Polyhedron& p, const DepthMap& map, std::uint32_t deepest, Visit&& visit) {
-  constexpr std::size_t cap = 24;
-  std::uint32_t below[cap];
-  std::size_t count = 1;
-  below[0] = deepest;
-  const auto depth_of = [&](std::uint32_t i) { return map.h0 - map.scale * dot(map.normal, p.vertices[i]); };
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::uint32_t k = p.first_spoke[below[i]]; k < p.first_spoke[below[i] + 1]; ++k) {
-      const std::uint32_t u = p.spokes[k].vertex;
-      if (!(map.h0 - map.scale * dot(map.normal, p.spokes[k].to) > 0) ||
-          std::find(below, below + count, u) != below + count)
-        continue;
-      if (count == cap) return false;
-      below[count++] = u;
-    }
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::uint32_t k = p.first_spoke[below[i]]; k < p.first_spoke[below[i] + 1]; ++k) {
-      const auto& face = p.faces[p.spokes[k].face];
-      // A face belongs to the first of its vertices that is in the list.
-      const std::uint32_t* loop = p.face_vertices.data() + face.first;
-      if (std::find_first_of(below, below + i, loop, loop + face.count) == below + i)
-        visit_submerged(p, face, map, depth_of, visit);
-    }
-  return true;
 }
 
 // Plane of a patch: origin on it, orthonormal axes, u × v = normal; in any frame.
