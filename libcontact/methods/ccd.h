@@ -13,8 +13,8 @@
 // same. It has no cap of its own either: after 1000 support questions both bodies are shown to it as one point, at
 // which each of its loops ends.
 //
-// Source: https://github.com/danfis/libccd (BSD), version 2.1. Validity: bodies, no walls. Allocates; libccd holds no
-// global state, any thread may ask. Absent when the library was built without libccd. Cost: 2.5–5 us a pair of
+// Source: https://github.com/danfis/libccd (BSD), version 2.1. Validity: bodies of space, no walls. Allocates; libccd
+// holds no global state, any thread may ask. Absent when the library was built without libccd. Cost: 2.5–5 us a pair of
 // polyhedra of 8 to 50 vertices, 6–45 us of ellipsoids. Accuracy of an overlap, over the size: ccd_gjk_epa 1e-12 of
 // polyhedra, median 3e-5 and seldom 1e-3 of smooth bodies; ccd_mpr where the ray leaves, a hundredth and more of smooth
 // bodies. Tests: tests/libcontact/independent_methods.cpp, contract.cpp.
@@ -32,7 +32,8 @@ struct CONTACT_API CcdGjkEpa {
   static constexpr bool exact = false;
 
   template <class A, class B>
-  requires(ConvexKinds<A, B> && !shapes::is_wall(shapes::kind_of<B>())) static Contact
+  requires(ConvexKinds<A, B>&& shapes::dimension_of(shapes::kind_of<A>()) == 3 &&
+           !shapes::is_wall(shapes::kind_of<B>())) static Contact
       query(const Placed<A>& a, const Placed<B>& b, const Vec3d& offset, const Options& options, Cache*) {
     return answer(convex_body(a), convex_body(b), offset, options);
   }
@@ -48,7 +49,8 @@ struct CONTACT_API CcdMpr {
   static constexpr bool exact = false;
 
   template <class A, class B>
-  requires(ConvexKinds<A, B> && !shapes::is_wall(shapes::kind_of<B>())) static Contact
+  requires(ConvexKinds<A, B>&& shapes::dimension_of(shapes::kind_of<A>()) == 3 &&
+           !shapes::is_wall(shapes::kind_of<B>())) static Contact
       query(const Placed<A>& a, const Placed<B>& b, const Vec3d& offset, const Options& options, Cache*) {
     return answer(convex_body(a), convex_body(b), offset, options);
   }
