@@ -22,6 +22,7 @@ struct ConvexBody {
 
   static constexpr std::uint32_t no_vertex = 0xffffffffu;
   bool is_solid() const { return kind == shapes::Kind::polyhedron || kind == shapes::Kind::rounded_polyhedron; }
+  bool has_faces() const { return is_solid() || kind == shapes::Kind::polygon; }
   bool is_flat() const { return shapes::dimension_of(kind) == 2; }
   bool has_corners() const {  // of the core: a polytope or a point
     return kind != shapes::Kind::ellipsoid && kind != shapes::Kind::ellipse && kind != shapes::Kind::potential_particle;

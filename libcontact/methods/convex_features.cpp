@@ -15,7 +15,7 @@ namespace {
 class Named {
  public:
   Named(const ConvexBody& body, const Simplex& s, std::uint32_t ConvexPair::Corner::*vertex) : body_(body) {
-    if (!body.is_solid() && body.kind != shapes::Kind::polygon) return;
+    if (!body.has_faces()) return;
     for (int i = 0; i < s.count; ++i) {
       const std::uint32_t v = s.p[i].*vertex;
       bool known = v == ConvexBody::no_vertex;
@@ -141,17 +141,18 @@ void finish_on_features(ConvexSearch& s) {
   const Vec3d n = s.normal;
   const auto offer = [&](const Vec3d& candidate) {
     Vec3d m;
-    if (s.closed() || !(length_and_direction(candidate, m) > 0)) return;
+    if (s.finished() || !(length_and_direction(candidate, m) > 0)) return;
     s.probe(dot(m, n) < 0 ? -m : m);
   };
   a.for_each_face(n, [&](std::uint32_t face) { offer(a.outward(face)); });
   b.for_each_face(-n, [&](std::uint32_t face) { offer(-b.outward(face)); });
+  if (!(pair.a.has_corners() && pair.b.has_corners())) return;  // edges and vertices: finish_on_curvature
   a.for_each_edge(n, [&](const Vec3d&, const Vec3d& e) {
     offer(perpendicular(n, e));
     b.for_each_edge(n, [&](const Vec3d&, const Vec3d& f) { offer(cross(e, f)); });
   });
   b.for_each_edge(n, [&](const Vec3d&, const Vec3d& f) { offer(perpendicular(n, f)); });
-  if (s.upper > 0 && !s.closed()) bring_points(s, a, b);
+  if (s.upper > 0 && !s.finished()) bring_points(s, a, b);
 }
 
 }  // namespace contact

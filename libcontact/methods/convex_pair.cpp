@@ -57,9 +57,11 @@ Contact answer(const ConvexBody& a, const ConvexBody& b, const Vec3d& offset, co
   const double ball = norm(pair.inside()) - pair.inner_radius(), allowance = polyhedron_rounding * size;
   const double lower = std::min(f, apart) - allowance;
   const double upper = std::max(f, std::min(m.upper, ball)) + allowance;
-  const Vec3d half = 0.5 * f * m.normal;
-  Contact c = smooth_contact(f, lower, upper, m.normal, m.meets ? m.point - half : on_a,
-                             m.meets ? m.point + half : on_b, unit.up, m.iterations);
+  // Points as far apart along the normal as the gap says.
+  const Vec3d between = m.meets ? f * m.normal : on_b - on_a + (f - dot(m.normal, on_b - on_a)) * m.normal;
+  const Vec3d middle = m.meets ? m.point : 0.5 * (on_a + on_b);
+  Contact c =
+      smooth_contact(f, lower, upper, m.normal, middle - 0.5 * between, middle + 0.5 * between, unit.up, m.iterations);
   c.method_overlap = m.overlap * unit.up;
   c.method_point = m.point * unit.up;
   if (!m.converged) c.status = Status::not_converged;

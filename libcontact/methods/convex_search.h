@@ -62,6 +62,8 @@ struct ConvexSearch {
   }
   double width() const { return std::fmin(upper, ball) - lower; }
   bool closed() const { return width() <= stop_width(); }
+  // Nothing is left to finish.
+  bool finished() const { return pair.tolerance > 0 ? closed() : width() <= 2 * rounding(); }
 };
 
 // The depth of the origin in K, which lies in a tetrahedron of corners of it, or a triangle in the plane, the border
@@ -70,5 +72,8 @@ void expand(ConvexSearch& search, Simplex full);
 
 // Better normals from the features of polyhedra and polygons that the corners of `near` name.
 void finish_on_features(ConvexSearch& search);
+
+// Better normals, and nearest points where the bodies are apart, near those found, by the curvature of round bodies.
+void finish_on_curvature(ConvexSearch& search);
 
 }  // namespace contact

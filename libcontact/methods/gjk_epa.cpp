@@ -105,6 +105,17 @@ bool enclose(ConvexSearch& s) {
   return !(s.lower >= -s.rounding());
 }
 
+// The direction from the nearest point v to the origin. Of a triangle, or a segment in the plane, it is the normal,
+// which keeps its digits as v vanishes.
+Vec3d to_origin(const Simplex& s, const Vec3d& v, double distance) {
+  const Vec3d e = s.p[1].at - s.p[0].at;
+  Vec3d n;
+  if (s.count < s.full - 1) return v * (-1 / distance);
+  if (!(length_and_direction(s.full == 3 ? Vec3d{-e.y, e.x, 0} : cross(e, s.p[2].at - s.p[0].at), n) > 0))
+    return v * (-1 / distance);
+  return dot(n, v) > 0 ? -n : n;
+}
+
 // The nearest point of the segment from the last one to a new corner: closer where that corner lies nearer along it.
 Simplex towards(const Simplex& from, const Corner& w) {
   Simplex s = from;
@@ -123,7 +134,7 @@ ConvexMeasure measure(const ConvexPair& pair) {
   s.near.count = 1;
   s.upper = norm(s.near.nearest());
   while (s.upper > s.rounding() && !s.closed() && s.steps < step_limit) {
-    const Corner w = s.probe(s.near.nearest() * (-1 / s.upper));
+    const Corner w = s.probe(to_origin(s.near, s.near.nearest(), s.upper));
     if (s.closed()) break;
     Simplex next = s.near;
     next.p[next.count++] = w;
@@ -140,7 +151,8 @@ ConvexMeasure measure(const ConvexPair& pair) {
     s.upper = closer;
   }
   if (!(s.upper > s.rounding()) && enclose(s)) expand(s, s.near);
-  if (!s.closed()) finish_on_features(s);
+  if (!s.finished()) finish_on_features(s);
+  if (!s.finished() && !(pair.a.has_corners() && pair.b.has_corners())) finish_on_curvature(s);
 
   ConvexMeasure m;
   m.normal = s.normal;

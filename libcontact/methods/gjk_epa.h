@@ -9,14 +9,16 @@
 // smaller circumradius (1e-10 when none is asked for), or no step gains anything: with more than 1e-6 left it says
 // not_converged. Balls are points with a margin, rounded polyhedra their cores with one. Of corners alone the search
 // ends by itself, and on their features: the normals of the faces, edges and pairs of edges that the last corners name,
-// and the nearest points of these. A plane or line has one normal, and its answer is one support point. Where the
+// and the nearest points of these. Of round bodies, when no tolerance is asked for, it ends with Newton's steps, their
+// derivative by differences of support points: the gap is then right to rounding (the tests ask it of 95 % of random
+// pairs), and apart the interval too. A plane or line has one normal, and its answer is one support point. Where the
 // origin lies on a simplex, to rounding, the missing corners are sought across it. method_overlap is minus the gap,
-// method_point midway between the points of A and B that the last simplex, face or features give. Deep round bodies
-// with one centre, whose depth is nearly the same all round, exhaust the polytope of 192 corners.
+// method_point midway between the points of A and B that are found last. Deep round bodies with one centre, whose depth
+// is nearly the same all round, exhaust the polytope of 192 corners.
 //
 // Source: E. Gilbert, D. Johnson & S. Keerthi, IEEE J. Robot. Autom. 4 (1988) 193; G. van den Bergen, GDC 2001. Cost:
-// 0.2 us a pair of spheres, 0.5 us a sphere with 50 vertices, 2 us a pair of cubes, 3–4 us of 50 vertices, 8–18 us of
-// ellipsoids, 7–47 us with potential particles; 1.2 us octagons, 2–4 us ellipses (bench_pairs). Tests:
+// 0.2 us a pair of spheres, 0.5 us a sphere with 50 vertices, 2 us a pair of cubes, 3–4 us of 50 vertices, 9–19 us of
+// ellipsoids, 9–50 us with potential particles; 1.2 us octagons, 2–4 us ellipses (bench_pairs). Tests:
 // tests/libcontact/convex_methods.cpp, contract.cpp.
 #pragma once
 
