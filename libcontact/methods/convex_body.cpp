@@ -16,14 +16,16 @@ const shapes::PotentialParticle& potential(const ConvexBody& b) {
   return *static_cast<const shapes::PotentialParticle*>(b.geometry);
 }
 const shapes::Polygon& polygon(const ConvexBody& b) { return *static_cast<const shapes::Polygon*>(b.geometry); }
-shapes::PotentialSupport<double> potential_support(const ConvexBody& b, const Vec3d& n) {
+shapes::PotentialSupport<double> potential_support(const ConvexBody& b, const Vec3d& n, const Vec3d* near = nullptr) {
   const Vec3d m = transposed_times(b.rotation, n);
-  return shapes::support_from_centre<double>(potential(b), m * (1 / norm(m)));
+  Vec3d start{};
+  if (near != nullptr) start = transposed_times(b.rotation, *near) * (1 / b.scale) - potential(b).centre;
+  return shapes::support_from_centre<double>(potential(b), m * (1 / norm(m)), near != nullptr ? &start : nullptr);
 }
 
 }  // namespace
 
-ConvexBody::Far ConvexBody::support(const Vec3d& n) const {
+ConvexBody::Far ConvexBody::support(const Vec3d& n, const Vec3d* near) const {
   switch (kind) {
     case Kind::polyhedron:
     case Kind::rounded_polyhedron: {
@@ -49,7 +51,7 @@ ConvexBody::Far ConvexBody::support(const Vec3d& n) const {
       return {rotation * scaled(axes, u * (1 / norm(u)))};
     }
     case Kind::potential_particle:
-      return {rotation * (scale * (potential_support(*this, n).from_centre + potential(*this).centre))};
+      return {rotation * (scale * (potential_support(*this, n, near).from_centre + potential(*this).centre))};
     default:
       return {Vec3d{}};
   }

@@ -32,8 +32,9 @@ struct ConvexBody {
     Vec3d at;  // of the core, from the body's origin
     std::uint32_t vertex = no_vertex;
   };
-  // The farthest point of the core along n, which need not be unit.
-  Far support(const Vec3d& n) const;
+  // The farthest point of the core along n, which need not be unit. `near`: that along a direction close by, which
+  // makes this one cheaper.
+  Far support(const Vec3d& n, const Vec3d* near = nullptr) const;
   // max of n·x over the core, n unit: not below it, before rounding.
   double height(const Vec3d& n) const;
   // A ball inside the body.

@@ -16,13 +16,23 @@ struct ConvexPair {
     Vec3d at, on_a;
     std::uint32_t vertex_a = ConvexBody::no_vertex, vertex_b = ConvexBody::no_vertex;
   };
-  Corner support(const Vec3d& n) const {
-    const ConvexBody::Far p = a.support(n), q = b.support(-n);
-    return {p.at - (d + q.at), p.at, p.vertex, q.vertex};
+  // `near`: a corner along a direction close by.
+  Corner support(const Vec3d& n) const { return corner(a.support(n), b.support(-n)); }
+  Corner support(const Vec3d& n, const Corner& near) const {
+    const Vec3d near_b = near.on_a - near.at - d;
+    return corner(a.support(n, &near.on_a), b.support(-n, &near_b));
+  }
+  bool is_dear() const {  // worth the `near`
+    return a.kind == shapes::Kind::potential_particle || b.kind == shapes::Kind::potential_particle;
   }
   double margins() const { return a.margin + b.margin; }
   Vec3d inside() const { return a.inner_centre() - (d + b.inner_centre()); }   // a point of K
   double inner_radius() const { return a.inner_radius() + b.inner_radius(); }  // of a ball of K about it
+
+ private:
+  Corner corner(const ConvexBody::Far& p, const ConvexBody::Far& q) const {
+    return {p.at - (d + q.at), p.at, p.vertex, q.vertex};
+  }
 };
 
 // What a method has found, in units.

@@ -35,15 +35,19 @@ struct ConvexSearch {
   double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
   Vec3d normal{};  // that gave `lower`
   Simplex near{};  // of K, apart: the nearest known; else the face of the polytope that gave `normal`
+  bool dear;       // the corner before is kept
+  ConvexPair::Corner last{};
   int steps = 0;
 
-  explicit ConvexSearch(const ConvexPair& p) : pair(p), ball(norm(p.inside()) - (p.inner_radius() - p.margins())) {
+  explicit ConvexSearch(const ConvexPair& p)
+      : pair(p), ball(norm(p.inside()) - (p.inner_radius() - p.margins())), dear(p.is_dear()) {
     near.full = p.a.is_flat() ? 3 : 4;
   }
 
   // The farthest corner along a unit n, which bounds the gap of the cores.
   ConvexPair::Corner probe(const Vec3d& n) {
-    const ConvexPair::Corner w = pair.support(n);
+    const ConvexPair::Corner w = dear && steps > 0 ? pair.support(n, last) : pair.support(n);
+    if (dear) last = w;
     if (const double value = -dot(n, w.at); value > lower) lower = value, normal = n;
     ++steps;
     return w;

@@ -18,7 +18,7 @@
 //
 // Source: E. Gilbert, D. Johnson & S. Keerthi, IEEE J. Robot. Autom. 4 (1988) 193; G. van den Bergen, GDC 2001. Cost:
 // 0.2 us a pair of spheres, 0.5 us a sphere with 50 vertices, 2 us a pair of cubes, 3–4 us of 50 vertices, 9–19 us of
-// ellipsoids, 9–50 us with potential particles; 1.2 us octagons, 2–4 us ellipses (bench_pairs). Tests:
+// ellipsoids, 7–40 us with potential particles; 1.2 us octagons, 2–4 us ellipses (bench_pairs). Tests:
 // tests/libcontact/convex_methods.cpp, contract.cpp.
 #pragma once
 

@@ -17,8 +17,8 @@ using Corner = ConvexPair::Corner;
 constexpr int step_limit = 200;
 
 // Of the bodies with their margins; n unit.
-Corner support(const ConvexPair& pair, const Vec3d& n) {
-  const Corner c = pair.support(n);
+Corner support(const ConvexPair& pair, const Vec3d& n, const Corner* near = nullptr) {
+  const Corner c = near != nullptr && pair.is_dear() ? pair.support(n, *near) : pair.support(n);
   return {c.at + pair.margins() * n, c.on_a + pair.a.margin * n};
 }
 
@@ -151,7 +151,7 @@ ConvexMeasure Search::in_space() {
       m.upper = norm(v1.at);
       return m;
     }
-    v3 = support(pair_, n);
+    v3 = support(pair_, n, &v1);
     if (!(dot(v3.at, n) > 0)) return apart(n, v3);
     if (side(p_, v1, v3) > 0) {
       v2 = v3;
@@ -167,7 +167,7 @@ ConvexMeasure Search::in_space() {
     const Vec3d normal = cross(v2.at - v1.at, v3.at - v1.at);
     n = direction(dot(normal, v1.at - p_) < 0 ? -normal : normal);
     if (steps_ > step_limit) return overlapping(n, on_ray(p_, v1, v2, v3), false);
-    const Corner v4 = support(pair_, n);
+    const Corner v4 = support(pair_, n, &v1);
     if (!(dot(v4.at, n) > 0)) return apart(n, v4);                                            // (1)
     if (dot(v4.at - v1.at, n) <= stop_) return overlapping(n, on_ray(p_, v1, v2, v3), true);  // (2)
     // Of the three triangles at v4 the one that the ray passes through.

@@ -14,7 +14,7 @@
 // line has one normal, and its answer is one support point.
 //
 // Source: G. Snethen, in Game Programming Gems 7 (2008). Cost: 0.2 us a pair of spheres, 0.9 us of cubes, 1.5 us of 50
-// vertices, 3–4 us of ellipsoids, 14–35 us with potential particles; 0.4–0.8 us apart, 2–7 us with potential particles;
+// vertices, 3–4 us of ellipsoids, 11–23 us with potential particles; 0.4–0.8 us apart, 2–6 us with potential particles;
 // 0.8 us octagons, 1.4 us ellipses (bench_pairs). Tests: tests/libcontact/convex_methods.cpp, contract.cpp.
 #pragma once
 
