@@ -12,7 +12,8 @@ namespace contact {
 namespace {
 
 constexpr unsigned long step_limit = 500;  // of those loops of libccd that have a cap
-constexpr double least_tolerance = 1e-8, most_tolerance = 1e-3;
+// A portal that is smaller than it need be has a direction of rounding.
+constexpr double least_of_expansion = 1e-8, least_of_portal = 1e-6, most_tolerance = 1e-3;
 
 // The pair and the first question of a search.
 struct Held {
@@ -31,9 +32,9 @@ void first_question(const void* body, const void*, ccd_vec3_t* direction) {
   set(direction, static_cast<const Held*>(body)->first);
 }
 
-double tolerance_of(const ConvexPair& pair) {
-  if (!(pair.tolerance > 0)) return least_tolerance;
-  return std::clamp(pair.tolerance * pair.small, least_tolerance, most_tolerance);
+double tolerance_of(const ConvexPair& pair, double least) {
+  if (!(pair.tolerance > 0)) return least;
+  return std::clamp(pair.tolerance * pair.small, least, most_tolerance);
 }
 
 using Penetration = int (*)(const void*, const void*, const ccd_t*, ccd_real_t*, ccd_vec3_t*, ccd_vec3_t*);
@@ -44,7 +45,7 @@ struct Told {
   Vec3d normal{}, place{};
 };
 
-Told ask(AskedPair& asked, Penetration penetration, const Vec3d& first) {
+Told ask(AskedPair& asked, Penetration penetration, double tolerance, const Vec3d& first) {
   const Held a{{&asked, true}, first}, b{{&asked, false}, first};
   ccd_t ccd;
   CCD_INIT(&ccd);
@@ -52,7 +53,7 @@ Told ask(AskedPair& asked, Penetration penetration, const Vec3d& first) {
   ccd.support1 = ccd.support2 = far_point;
   ccd.center1 = ccd.center2 = inner_point;
   ccd.max_iterations = step_limit;
-  ccd.epa_tolerance = ccd.mpr_tolerance = tolerance_of(asked.pair());
+  ccd.epa_tolerance = ccd.mpr_tolerance = tolerance;
   Told t;
   ccd_vec3_t direction{}, place{};
   t.overlap = penetration(&a, &b, &ccd, &t.depth, &direction, &place) == 0;
@@ -81,10 +82,11 @@ ConvexMeasure by_expansion(const ConvexPair& pair) {
   AskedPair asked(pair);
   if (!asked.has_finite_answers()) return asked.apart(false);
   const auto error = [](const Told& t) { return std::abs(t.along - t.depth); };
+  const double tolerance = tolerance_of(pair, least_of_expansion);
   Told best;
   for (int attempt = 0; attempt < attempts && !asked.given_up(); ++attempt) {
-    const Told told = ask(asked, ccdGJKPenetration, first_direction(pair, attempt));
-    if (!told.overlap && asked.separation() >= -tolerance_of(pair)) return asked.apart(true);
+    const Told told = ask(asked, ccdGJKPenetration, tolerance, first_direction(pair, attempt));
+    if (!told.overlap && asked.separation() >= -tolerance) return asked.apart(true);
     if (!told.usable || (best.usable && !(error(told) < error(best)))) continue;
     best = told;
     if (error(best) <= AskedPair::agreement * pair.size)
@@ -96,8 +98,9 @@ ConvexMeasure by_expansion(const ConvexPair& pair) {
 ConvexMeasure by_portal(const ConvexPair& pair) {
   AskedPair asked(pair);
   if (!asked.has_finite_answers()) return asked.apart(false);
-  const Told told = ask(asked, ccdMPRPenetration, {1, 0, 0});
-  if (!told.overlap) return asked.apart(asked.separation() >= -tolerance_of(pair));
+  const double tolerance = tolerance_of(pair, least_of_portal);
+  const Told told = ask(asked, ccdMPRPenetration, tolerance, {1, 0, 0});
+  if (!told.overlap) return asked.apart(asked.separation() >= -tolerance);
   if (!told.usable) return asked.apart(false);
   // The place where the ray leaves A − B is a point of it.
   const bool agreed = told.depth <= told.along + AskedPair::agreement * pair.size;

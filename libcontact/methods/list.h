@@ -11,6 +11,7 @@
 #include "libcontact/methods/clip_volume.h"
 #include "libcontact/methods/common_normal.h"
 #include "libcontact/methods/constrained_minimisation.h"
+#include "libcontact/methods/fcl.h"
 #include "libcontact/methods/features.h"
 #include "libcontact/methods/geometric_potential.h"
 #include "libcontact/methods/gjk_epa.h"
@@ -27,18 +28,23 @@
 
 namespace contact {
 
-// By other libraries, where the build has them: their cost ranks begin here.
-inline constexpr int first_rank_of_other_libraries = 100;
+// By other libraries, where the build has them.
 #ifdef CONTACT_HAS_CCD
 using CcdMethods = std::tuple<CcdMpr, CcdGjkEpa>;
 #else
 using CcdMethods = std::tuple<>;
+#endif
+#ifdef CONTACT_HAS_FCL
+using FclMethods = std::tuple<Fcl>;
+#else
+using FclMethods = std::tuple<>;
 #endif
 
 using OwnMethods = std::tuple<Analytic, PolyhedronPlane, SupportNewton, Sat, Features, Rounded, Potential, Planar,
                               PerramWertheim, GeometricPotential, CommonNormal, IntersectionMidpoint, Clip,
                               VertexTriangle, ClipVolume, ConstrainedMinimisation, Mpr, GjkEpa>;
 
-using Methods = decltype(std::tuple_cat(std::declval<OwnMethods>(), std::declval<CcdMethods>()));
+using Methods =
+    decltype(std::tuple_cat(std::declval<OwnMethods>(), std::declval<CcdMethods>(), std::declval<FclMethods>()));
 
 }  // namespace contact

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/methods/list.h"
+#include "libcontact/methods/other_libraries.h"
 #include "tests/fuzz/pair_checks.h"
 #include "tests/guard/child.h"
 

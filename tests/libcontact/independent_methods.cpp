@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/methods/list.h"
+#include "libcontact/methods/other_libraries.h"
 #include "shapes/polyhedron_build.h"
 #include "tests/libcontact/catalogue.h"
 #include "tests/libcontact/random_cases.h"
