@@ -17,6 +17,7 @@
 #include "libcontact/methods/gjk_epa.h"
 #include "libcontact/methods/intersection_midpoint.h"
 #include "libcontact/methods/mpr.h"
+#include "libcontact/methods/nlopt.h"
 #include "libcontact/methods/perram_wertheim.h"
 #include "libcontact/methods/planar.h"
 #include "libcontact/methods/polyhedron_plane.h"
@@ -39,12 +40,17 @@ using FclMethods = std::tuple<Fcl>;
 #else
 using FclMethods = std::tuple<>;
 #endif
+#ifdef CONTACT_HAS_NLOPT
+using NloptMethods = std::tuple<Nlopt>;
+#else
+using NloptMethods = std::tuple<>;
+#endif
 
 using OwnMethods = std::tuple<Analytic, PolyhedronPlane, SupportNewton, Sat, Features, Rounded, Potential, Planar,
                               PerramWertheim, GeometricPotential, CommonNormal, IntersectionMidpoint, Clip,
                               VertexTriangle, ClipVolume, ConstrainedMinimisation, Mpr, GjkEpa>;
 
-using Methods =
-    decltype(std::tuple_cat(std::declval<OwnMethods>(), std::declval<CcdMethods>(), std::declval<FclMethods>()));
+using Methods = decltype(std::tuple_cat(std::declval<OwnMethods>(), std::declval<CcdMethods>(),
+                                        std::declval<FclMethods>(), std::declval<NloptMethods>()));
 
 }  // namespace contact
