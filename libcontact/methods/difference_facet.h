@@ -20,6 +20,8 @@ struct DifferenceFacet {
 struct FacetAxis {
   Vec3d normal;  // unit, from A to B, in A's frame
   double value;  // separation along it
+  double reach;  // of a face: foot_reach
+  Vec3d on_a;    // of edges: the closest point of A's to B's line, within the edge, in A's frame
 };
 
 // A pair with what proofs and searches need besides.
@@ -34,6 +36,9 @@ struct DifferencePair : PolyhedronPair {
     core_radius = self_scale * a.radius + other_scale * b.radius;
   }
 };
+
+// How far within its sides a face of pair.self holds the foot of a point, in pair.self's frame; 0: it does not.
+double foot_reach(const PolyhedronPair& pair, std::uint32_t face, const Vec3d& point);
 
 // The axis of a facet of a complete search, whose supports are known.
 FacetAxis axis_of(const DifferencePair& pair, const DifferenceFacet& facet);

@@ -20,14 +20,6 @@ class Outline {
       side_[k] = {cu, cv, -(cu * p.u + cv * p.v)};  // of short sides far away p × q would cancel
     }
   }
-  // A disc about (0, 0) of this squared radius lies inside.
-  bool holds_disc(double square) const {
-    for (std::size_t k = 0; k < count_; ++k) {
-      const Side& s = side_[k];
-      if (!(s.c > 0 && s.c * s.c > square * (s.cu * s.cu + s.cv * s.cv))) return false;
-    }
-    return true;
-  }
   // Some of the points lie beyond side k.
   bool crosses(std::size_t k, const DepthPoint* point, std::size_t count) const {
     bool beyond = false;
@@ -56,9 +48,9 @@ class Submerged {
 
   // The faces that look at the plane, under it and over the outline, hang together across edges that have a part there:
   // below a plane the body's lower side is convex, and so is the outline. A walk from the deepest vertex, at (0, 0),
-  // meets them all. False, before anything is added, for what it is not for.
+  // meets them all where that is over the outline. False, before anything is added, for too many faces.
   bool add_around(std::uint32_t deepest) {
-    if (p_.faces.size() > walk_cap || !outline_.holds_disc(0)) return false;
+    if (p_.faces.size() > walk_cap) return false;
     std::uint64_t seen[walk_cap / 64];
     std::fill_n(seen, (p_.faces.size() + 63) / 64, 0);
     std::uint16_t queue[walk_cap];
@@ -137,7 +129,7 @@ class Submerged {
 
 // The patch of a single vertex below the plane, at its tip (0, 0), whose edges cross the plane within the outline: a
 // fan of corners. False when that is not so.
-bool add_tip(const shapes::Polyhedron& p, const DepthMap& map, std::uint32_t tip, double depth, const Outline& outline,
+bool add_tip(const shapes::Polyhedron& p, const DepthMap& map, std::uint32_t tip, double depth, double reach,
              DepthMoments& moments) {
   constexpr std::uint32_t cap = 16;
   const std::uint32_t first = p.first_spoke[tip], count = p.first_spoke[tip + 1] - first;
@@ -153,7 +145,7 @@ bool add_tip(const shapes::Polyhedron& p, const DepthMap& map, std::uint32_t tip
     rim[k] = {t * dot(map.u_axis, e), t * dot(map.v_axis, e), 0};
     square = std::max(square, rim[k].u * rim[k].u + rim[k].v * rim[k].v);
   }
-  if (!outline.holds_disc(square)) return false;
+  if (!(square < reach * reach)) return false;
   // Seen from outside, against the normal, the edges of the tip turn the other way than in the plane.
   for (std::uint32_t k = 0; k < count; ++k) moments.add_corner(depth, rim[k + 1 == count ? 0 : k + 1], rim[k]);
   moments.deepest = {0, 0, depth};
@@ -162,12 +154,12 @@ bool add_tip(const shapes::Polyhedron& p, const DepthMap& map, std::uint32_t tip
 
 }  // namespace
 
-void face_patch(const PolyhedronPair& pair, const Mat3d& rotation, const Vec3d& position, std::uint32_t face,
-                std::uint32_t deepest, double gap, Vec3d& on_self, Vec3d& on_other, Patch& patch) {
+void face_patch(const PolyhedronPair& pair, const Mat3d& rotation, const Vec3d& position, const FaceOverVertex& at,
+                Vec3d& on_self, Vec3d& on_other, Patch& patch) {
   const shapes::Polyhedron& self = *pair.self;
   const shapes::Polyhedron& other = *pair.other;
-  const auto& f = self.faces[face];
-  const Vec3d tip = pair.other_vertex(deepest), foot = tip - gap * f.normal;
+  const auto& f = self.faces[at.face];
+  const Vec3d tip = pair.other_vertex(at.deepest), foot = tip - at.gap * f.normal;
   Vec3d u, v;
   tangent_frame(f.normal, u, v);
   // Coordinates are counted from the deepest vertex: the patch lies around it, so its moments do not cancel.
@@ -182,12 +174,12 @@ void face_patch(const PolyhedronPair& pair, const Mat3d& rotation, const Vec3d& 
   };
   DepthMoments moments;
   if (f.count <= polygon_cap) {
-    PlanePoint corners[polygon_cap];
-    for (std::size_t k = 0; k < f.count; ++k) corners[k] = corner(k);
-    const Outline outline(corners, f.count);
-    if (!add_tip(other, map, deepest, -gap, outline, moments)) {
+    if (!add_tip(other, map, at.deepest, -at.gap, at.reach, moments)) {
+      PlanePoint corners[polygon_cap];
+      for (std::size_t k = 0; k < f.count; ++k) corners[k] = corner(k);
+      const Outline outline(corners, f.count);
       Submerged part(other, map, outline, moments);
-      if (!part.add_around(deepest)) part.add_all();
+      if (!(at.reach > 0 && part.add_around(at.deepest))) part.add_all();
     }
   } else {
     for (std::size_t k = 1; k + 1 < f.count; ++k) {
@@ -199,11 +191,11 @@ void face_patch(const PolyhedronPair& pair, const Mat3d& rotation, const Vec3d& 
   const PlaneFrame plane{rotation * foot + position, rotation * u, rotation * v, rotation * f.normal};
   if (make_patch(moments, plane, patch)) {
     on_self = plane(moments.deepest.u, moments.deepest.v, 0);
-    on_other = on_self + gap * plane.normal;
+    on_other = on_self + at.gap * plane.normal;
     return;
   }
   on_self = plane.origin;
-  on_other = plane.origin + gap * plane.normal;
+  on_other = plane.origin + at.gap * plane.normal;
   patch = {0.5 * (on_self + on_other), {}};
 }
 

@@ -67,21 +67,31 @@ struct Frame {
   double up;    // units -> metres
   double size;  // L
 
-  // Completes an answer with gap, normal and points; to metres.
-  void finish(Contact& c, double lower, double upper) const {
-    c.certified = true;
-    c.gap_lower = lower - polyhedron_rounding * size;
-    c.gap_upper = upper + polyhedron_rounding * size;
-    c.status = c.gap_lower > 0 ? Status::separated : (c.gap_upper < 0 ? Status::overlapping : Status::touching);
-    c.method_normal = c.normal;
-    c.method_point = 0.5 * (c.point_a + c.point_b);
-    c.method_overlap = -c.gap;
-    rescale(c, up);
+  // An answer in metres. Every member is named: to clear it first would cost as much as a proof.
+  Contact form(double gap, double lower, double upper, const Vec3d& normal, const Vec3d& on_a, const Vec3d& on_b,
+               const Patch& patch, int iterations) const {
+    const double low = lower - polyhedron_rounding * size, high = upper + polyhedron_rounding * size;
+    const double* s = patch.spread;
+    const auto moment = [&](int i) { return s[i] * up * up; };
+    return {.status = low > 0 ? Status::separated : (high < 0 ? Status::overlapping : Status::touching),
+            .certified = true,
+            .gap = gap * up,
+            .gap_lower = low * up,
+            .gap_upper = high * up,
+            .normal = normal,
+            .point_a = up * on_a,
+            .point_b = up * on_b,
+            .patch = {.centre = up * patch.centre,
+                      .spread = {moment(0), moment(1), moment(2), moment(3), moment(4), moment(5)},
+                      .weight = patch.weight * up * up * up},
+            .method_overlap = -gap * up,
+            .method_normal = normal,
+            .method_point = up * (0.5 * (on_a + on_b)),
+            .iterations = iterations};
   }
 };
 
-// `lower`, in metres, bounds the gap from below along a direction in world axes: nothing more is asked. Every member is
-// named: to clear the answer first would cost as much as the proof.
+// `lower`, in metres, bounds the gap from below along a direction in world axes: nothing more is asked.
 Contact stopped_at(double lower, const Vec3d& normal) {
   return {.status = Status::separated,
           .certified = true,
@@ -142,19 +152,6 @@ bool still_apart(const Solid& a, const Solid& b, const Vec3d& offset, Cache& cac
   return true;
 }
 
-// Witness points of an edge–edge axis, in A's frame: the closest points of the two lines, a gap apart along the normal.
-void edge_witness(const PolyhedronPair& pair, const DifferenceFacet& facet, const FacetAxis& axis, Contact& c) {
-  const auto& ea = pair.self->edges[facet.a];
-  const auto& eb = pair.other->edges[facet.b];
-  const Vec3d p = pair.self_vertex(ea.vertex[0]), e = pair.self_vertex(ea.vertex[1]) - p;
-  const Vec3d q = pair.other_vertex(eb.vertex[0]), f = pair.other_vertex(eb.vertex[1]) - q;
-  const Vec3d n = cross(e, f);
-  const double square = dot(n, n);
-  const double s = square > 0 ? std::clamp(dot(cross(q - p, f), n) / square, 0.0, 1.0) : 0.5;
-  c.point_a = p + s * e;
-  c.point_b = c.point_a + axis.value * axis.normal;
-}
-
 // The nearest facet of the difference, with its proof: by a ray from inside, at once for a shallow overlap; else by an
 // expansion. False: not found; `apart` is then a direction along which the bodies seem to be apart, if one was met.
 bool find_nearest(const DifferencePair& pair, DifferenceFacet& facet, FacetAxis& axis, Vec3d& apart) {
@@ -166,53 +163,46 @@ bool find_nearest(const DifferencePair& pair, DifferenceFacet& facet, FacetAxis&
   return exit.kind == Exit::nearest;
 }
 
-void overlap(const DifferencePair& pair, const DifferenceFacet& facet, const FacetAxis& axis, const Frame& frame,
-             Contact& c) {
-  c.gap = axis.value;
+Contact overlap(const DifferencePair& pair, const DifferenceFacet& facet, const FacetAxis& axis, const Frame& frame) {
+  Vec3d normal = frame.rotation_a * axis.normal, on_a, on_b;
+  Patch patch;
   if (facet.kind == DifferenceFacet::face_of_a) {
-    c.normal = frame.rotation_a * axis.normal;
-    face_patch(pair, frame.rotation_a, {}, facet.a, facet.b, axis.value, c.point_a, c.point_b, c.patch);
+    face_patch(pair, frame.rotation_a, {}, {facet.a, facet.b, axis.value, axis.reach}, on_a, on_b, patch);
   } else if (facet.kind == DifferenceFacet::face_of_b) {
-    c.normal = -(frame.rotation_b * pair.other->faces[facet.b].normal);
-    face_patch(pair.swapped(), frame.rotation_b, frame.offset, facet.b, facet.a, axis.value, c.point_b, c.point_a,
-               c.patch);
+    normal = -(frame.rotation_b * pair.other->faces[facet.b].normal);
+    face_patch(pair.swapped(), frame.rotation_b, frame.offset, {facet.b, facet.a, axis.value, axis.reach}, on_b, on_a,
+               patch);
   } else {
-    edge_witness(pair, facet, axis, c);
-    c.normal = frame.rotation_a * axis.normal;
-    c.point_a = frame.rotation_a * c.point_a;
-    c.point_b = frame.rotation_a * c.point_b;
-    c.patch.centre = 0.5 * (c.point_a + c.point_b);
+    on_a = frame.rotation_a * axis.on_a;
+    on_b = frame.rotation_a * (axis.on_a + axis.value * axis.normal);
+    patch.centre = 0.5 * (on_a + on_b);
   }
-  frame.finish(c, axis.value, axis.value);
+  return frame.form(axis.value, axis.value, axis.value, normal, on_a, on_b, patch, 0);
 }
 
 // The distance, from a direction along which the bodies do not overlap.
-void distance(const PolyhedronPair& pair, const Vec3d& direction, const Separation& at, const Frame& frame,
-              const Memory& memory, Contact& c) {
+Contact distance(const PolyhedronPair& pair, const Vec3d& direction, const Separation& at, const Frame& frame,
+                 const Memory& memory) {
   const PolyhedronDistance found = polyhedron_distance(pair, direction, at, frame.size);
   memory.keep(found.normal, found.at);
-  c.gap = 0.5 * (found.lower + found.upper);
-  c.normal = frame.rotation_a * found.normal;
-  c.point_a = frame.rotation_a * found.on_self;
-  c.point_b = frame.rotation_a * found.on_other;
-  c.patch.centre = 0.5 * (c.point_a + c.point_b);
-  c.iterations = found.iterations;
-  frame.finish(c, found.lower, found.upper);
+  const Vec3d on_a = frame.rotation_a * found.on_self, on_b = frame.rotation_a * found.on_other;
+  Patch patch;
+  patch.centre = 0.5 * (on_a + on_b);
+  return frame.form(0.5 * (found.lower + found.upper), found.lower, found.upper, frame.rotation_a * found.normal, on_a,
+                    on_b, patch, found.iterations);
 }
 
-// Leaves c refused where it cannot answer.
-void solve(const Solid& a, const Solid& b, const Vec3d& offset, const Options& options, const Memory& memory,
-           Contact& c) {
+Contact solve(const Solid& a, const Solid& b, const Vec3d& offset, const Options& options, const Memory& memory) {
   const double radius_a = a.scale * a.shape->circumradius, radius_b = b.scale * b.shape->circumradius;
   const double extent = max_abs(offset) + (radius_a + radius_b);
-  if (!(a.scale > 0 && b.scale > 0 && extent_in_range(extent) && all_at_least(offset, -extent))) return;
+  if (!(a.scale > 0 && b.scale > 0 && extent_in_range(extent) && all_at_least(offset, -extent))) return refused();
   const Scale unit = scale_of(extent);
   const Vec3d d_world = unit.down * offset;
   const double length = norm(d_world), reach = unit.down * (radius_a + radius_b);
   const Frame frame{a.rotation, b.rotation, d_world, unit.up, length + reach};
   const double enough = options.overlap_only ? proof_margin(frame.size) : infinity;
   const auto apart_along = [&](double value, const Vec3d& world) {
-    c = stopped_at((value - polyhedron_rounding * frame.size) * unit.up, world);
+    return stopped_at((value - polyhedron_rounding * frame.size) * unit.up, world);
   };
   const DifferencePair pair(
       {a.shape,
@@ -228,48 +218,42 @@ void solve(const Solid& a, const Solid& b, const Vec3d& offset, const Options& o
     memory.keep(n, pair.separation(n));
     return apart_along(length - reach, d_world * (1 / length));
   }
-  const auto apart_for_sure = [&](const Vec3d& n, const Separation& at) {
-    if (!(at.value > enough)) return false;
+  const auto apart_at = [&](const Vec3d& n, const Separation& at) {
     memory.keep(n, at);
-    apart_along(at.value, a.rotation * n);
-    return true;
+    return apart_along(at.value, a.rotation * n);
   };
   DifferenceFacet facet = memory.facet();
   FacetAxis axis{};
   if (prove_nearest(pair, facet, axis) != Nearest::proven) {
-    // What overlapped before may separate now.
-    if (axis.value > enough && apart_for_sure(axis.normal, pair.separation(axis.normal))) return;
+    if (axis.value > enough) {  // what overlapped before may separate now
+      const Separation at = pair.separation(axis.normal);
+      if (at.value > enough) return apart_at(axis.normal, at);
+    }
     Vec3d apart{};
     if (!find_nearest(pair, facet, axis, apart)) {
       if (const double square = dot(apart, apart); square > 0) {
         const Vec3d n = apart * (1 / std::sqrt(square));
         const Separation at = pair.separation(n);
-        if (apart_for_sure(n, at)) return;
-        if (at.value > 0) return distance(pair, n, at, frame, memory, c);
+        if (at.value > enough) return apart_at(n, at);
+        if (at.value > 0) return distance(pair, n, at, frame, memory);
       }
       facet = search_all(pair, enough);
-      if (facet.kind == DifferenceFacet::none) return;  // nothing compares: a rotation is not finite
+      if (facet.kind == DifferenceFacet::none) return refused();  // nothing compares: a rotation is not finite
       axis = axis_of(pair, facet);
-      if (!(std::abs(axis.value) <= 8)) return;
+      if (!(std::abs(axis.value) <= 8)) return refused();
       const Separation at = pair.separation(axis.normal);
-      if (axis.value > enough && apart_for_sure(axis.normal, at)) return;
-      if (axis.value > -polyhedron_rounding * frame.size) return distance(pair, axis.normal, at, frame, memory, c);
+      if (axis.value > enough && at.value > enough) return apart_at(axis.normal, at);
+      if (axis.value > -polyhedron_rounding * frame.size) return distance(pair, axis.normal, at, frame, memory);
     }
   }
   memory.keep(facet);
-  overlap(pair, facet, axis, frame, c);
+  return overlap(pair, facet, axis, frame);
 }
 
 Contact answer(const Solid& a, const Solid& b, const Vec3d& offset, const Options& options, Cache* cache) {
-  Contact c;
-  c.gap_lower = -infinity;
-  c.gap_upper = infinity;
-  if (seen_from_b(offset)) {
-    solve(b, a, -offset, options, {cache, true, b, a}, c);
-    exchange(c, offset);
-  } else {
-    solve(a, b, offset, options, {cache, false, a, b}, c);
-  }
+  if (!seen_from_b(offset)) return solve(a, b, offset, options, {cache, false, a, b});
+  Contact c = solve(b, a, -offset, options, {cache, true, b, a});
+  exchange(c, offset);
   return c;
 }
 
