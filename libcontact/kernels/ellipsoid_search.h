@@ -54,6 +54,7 @@ class EllipsoidSearch {
       b_.row[i] = scaled(p.rotation_b.row[i], p.axes_b);
     }
     const T largest_a = largest(p.axes_a), largest_b = largest(p.axes_b);
+    smallest_reach_ = select(largest_a < largest_b, largest_a, largest_b);
     least_a_ = least(p.axes_a);
     least_b_ = least(p.axes_b);
     flatness_a_ = least_a_ / largest_a;
@@ -73,7 +74,10 @@ class EllipsoidSearch {
   [[gnu::always_inline]] T allowance() const { return T(16) * unit_; }
 
   // `start`: a unit direction to begin with, or zero: cold. `stop_at_proof`: a separation above the margin is enough.
-  [[gnu::always_inline]] EllipsoidAnswer<T> solve(const V& start, bool stop_at_proof) const {
+  // `tolerance`: so is an interval narrower than this part of the smaller circumradius; 0: as narrow as rounding
+  // leaves.
+  [[gnu::always_inline]] EllipsoidAnswer<T> solve(const V& start, bool stop_at_proof, double tolerance) const {
+    const T enough = larger(T(tolerance) * smallest_reach_ - T(2) * allowance(), T(0));
     const Symmetric sa(a_), sb(b_);
     const T m = least_a_ * flatness_a_ + least_b_ * flatness_b_;
     const T aspect = T(1) / select(flatness_a_ < flatness_b_, flatness_a_, flatness_b_);
@@ -112,7 +116,8 @@ class EllipsoidSearch {
       excess = T(2) * (dot(r, r) + curvature * curvature);
       const auto accepted = usable && f >= f_best - T(2) * unit_;
       const T reach = T(2) * (m + f);
-      const auto settled = gain * aspect <= T(8) * unit_ && (excess <= T(8) * unit_ * reach || reach <= T(0));
+      const auto settled = (gain * aspect <= T(8) * unit_ && (excess <= T(8) * unit_ * reach || reach <= T(0))) ||
+                           (gain <= enough && excess < enough * reach);
       if (stop_at_proof) proof = proof || (usable && !done && f > margin());
       iterations = select(done, iterations, T(trial + 1));
       done = done || proof || (accepted && at_maximum && settled);
@@ -202,7 +207,7 @@ class EllipsoidSearch {
 
   shapes::Mat3<T> a_, b_;  // R D
   V d_;
-  T least_a_, least_b_, flatness_a_, flatness_b_, distance_, extent_, unit_;
+  T smallest_reach_, least_a_, least_b_, flatness_a_, flatness_b_, distance_, extent_, unit_;
 };
 
 }  // namespace contact

@@ -40,10 +40,11 @@ __attribute__((flatten)) void ellipsoid_proofs(EllipsoidChunk& c, std::size_t co
   }
 }
 
-__attribute__((flatten)) void ellipsoid_search(EllipsoidChunk& c, std::size_t count, bool stop_at_proof) {
+__attribute__((flatten)) void ellipsoid_search(EllipsoidChunk& c, std::size_t count, bool stop_at_proof,
+                                               double tolerance) {
   for (std::size_t i = 0; i < count; i += Pack::size()) {
     const EllipsoidSearch<Pack> search(load_pair(c, i));
-    const EllipsoidAnswer<Pack> r = search.solve(load3(c.in + 27, i), stop_at_proof);
+    const EllipsoidAnswer<Pack> r = search.solve(load3(c.in + 27, i), stop_at_proof, tolerance);
     store(c.outcome, i, r.outcome);
     store(c.iterations, i, r.iterations);
     store(c.gap, i, r.gap);

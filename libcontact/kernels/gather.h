@@ -19,7 +19,7 @@ void store_slots(const LawChunk& c, const Index* record, std::size_t count, Slot
 void sum_slots(const Slot* slot, const Index* active, std::size_t count, Total& total);
 
 void ellipsoid_proofs(EllipsoidChunk& chunk, std::size_t count);
-void ellipsoid_search(EllipsoidChunk& chunk, std::size_t count, bool stop_at_proof);
+void ellipsoid_search(EllipsoidChunk& chunk, std::size_t count, bool stop_at_proof, double tolerance);
 
 }  // namespace KERNEL_SET
 }  // namespace contact::kernels

@@ -27,7 +27,7 @@ struct EllipsoidChunk {
 // proofs: `lower` = separation along the start, proven; `outcome` = proven where it is above the margin.
 // search: EllipsoidSearch::solve.
 using EllipsoidProofs = void (*)(EllipsoidChunk& chunk, std::size_t count);
-using EllipsoidSearchKernel = void (*)(EllipsoidChunk& chunk, std::size_t count, bool stop_at_proof);
+using EllipsoidSearchKernel = void (*)(EllipsoidChunk& chunk, std::size_t count, bool stop_at_proof, double tolerance);
 
 struct PairKernels {
   EllipsoidProofs ellipsoid_proofs;

@@ -211,7 +211,9 @@ EllipsoidAnswer<double> answer_of(const Pair& pair, const Root& root, bool& prov
   const Point& p = root.point;
   const Step& s = root.step;
   const double allowance = rounding(pair.extent);
-  const bool refine = root.converged && s.at_maximum && s.gain <= 0x1p-20 * pair.extent;
+  // Where f hardly curves the step may lead away.
+  const bool refine = root.converged && s.at_maximum && s.gain <= 0x1p-20 * pair.extent &&
+                      evaluate(pair, normalized(p.n + s.turn)).f >= p.f - 2 * epsilon * pair.extent;
   const double gap = refine ? p.f + 0.5 * s.gain : p.f;
   const double excess = excess_bound(pair, p, s);
   proven = !root.converged || excess <= largest_extent || pair.ball_gap <= gap + allowance;

@@ -107,6 +107,15 @@ void polygon_pair(const Placed<shapes::Polygon>& a, const Placed<shapes::Polygon
     }
 }
 
+Contact ellipses(const Placed<shapes::Ellipse>& a, const Placed<shapes::Ellipse>& b, const Vec3d& offset,
+                 const Options& options, Cache* cache) {
+  const bool exchanges = seen_from_b(offset);
+  Contact c = exchanges ? ellipse_pair(b, a, -offset, options) : ellipse_pair(a, b, offset, options);
+  if (exchanges) exchange(c, offset);
+  keep_apart(a, c, cache);
+  return c;
+}
+
 }  // namespace
 
 Contact Planar::query(const Placed<shapes::Disc>& a, const Placed<shapes::Disc>& b, const Vec3d& offset, const Options&,
@@ -137,11 +146,9 @@ Contact Planar::query(const Placed<shapes::Ellipse>& a, const Placed<shapes::Lin
 
 Contact Planar::query(const Placed<shapes::Ellipse>& a, const Placed<shapes::Ellipse>& b, const Vec3d& offset,
                       const Options& options, Cache* cache) {
-  Contact c;
-  if (still_apart(a, b, offset, options, cache, c)) return c;
-  c = seen_from_b(offset) ? exchanged(ellipse_pair(b, a, -offset), offset) : ellipse_pair(a, b, offset);
-  keep_apart(a, c, cache);
-  return c;
+  if (options.overlap_only && cache != nullptr)
+    if (Contact c; still_apart(a, b, offset, options, cache, c)) return c;
+  return ellipses(a, b, offset, options, cache);
 }
 
 Contact Planar::query(const Placed<shapes::Disc>& a, const Placed<shapes::Polygon>& b, const Vec3d& offset,

@@ -5,6 +5,7 @@
 
 namespace contact {
 
-Contact ellipse_pair(const Placed<shapes::Ellipse>& a, const Placed<shapes::Ellipse>& b, const Vec3d& offset);
+Contact ellipse_pair(const Placed<shapes::Ellipse>& a, const Placed<shapes::Ellipse>& b, const Vec3d& offset,
+                     const Options& options);
 
 }  // namespace contact

@@ -90,7 +90,7 @@ Contact SupportNewton::query(const Placed<shapes::Ellipsoid>& a, const Placed<sh
     const double f = search.separation(axis);
     if (f > search.margin()) return proof(f - search.allowance(), axis, view);
   }
-  const Answer r = search.solve(options.warm_start ? axis : Vec3d{}, options.overlap_only);
+  const Answer r = search.solve(options.warm_start ? axis : Vec3d{}, options.overlap_only, options.tolerance);
   Contact c = r.outcome == Answer::solved   ? contact_of(r, pair.d, view)
               : r.outcome == Answer::proven ? proof(r.lower, r.normal, view, r.iterations)
                                             : climbed(pair, view, r, options);
@@ -204,7 +204,7 @@ void SupportNewton::query_chunk(KindPair<shapes::Ellipsoid, shapes::Ellipsoid>, 
     }
     if (!options.warm_start)
       for (int k = 27; k < 30; ++k) std::fill(std::begin(l.chunk.in[k].v), std::end(l.chunk.in[k].v), 0);
-    kernels::pair_kernels().ellipsoid_search(l.chunk, count, options.overlap_only);
+    kernels::pair_kernels().ellipsoid_search(l.chunk, count, options.overlap_only, options.tolerance);
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t k = l.pair[i];
       answer(l, i, options, out + k);

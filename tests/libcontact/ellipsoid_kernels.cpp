@@ -184,10 +184,11 @@ TEST(EllipsoidKernels, every_set_gives_the_bits_of_the_scalar_search) {
       for (const bool stop : {false, true}) {
         static EllipsoidChunk c;
         kernels_test::fill(c, p, first);
-        set->pairs.ellipsoid_search(c, EllipsoidChunk::size, stop);
+        const double tolerance = first % 64 == 0 ? 0 : 1e-5;
+        set->pairs.ellipsoid_search(c, EllipsoidChunk::size, stop, tolerance);
         for (std::size_t i = 0; i < EllipsoidChunk::size; ++i) {
           const EllipsoidAnswer<double> r = EllipsoidSearch<double>(kernels_test::pair_of(p, first + i))
-                                                .solve({c.in[27][i], c.in[28][i], c.in[29][i]}, stop);
+                                                .solve({c.in[27][i], c.in[28][i], c.in[29][i]}, stop, tolerance);
           EXPECT_EQ(r.outcome, c.outcome[i]) << set->name;
           EXPECT_EQ(r.iterations, c.iterations[i]) << set->name;
           EXPECT_TRUE(same_bits(r.normal, {c.normal[0][i], c.normal[1][i], c.normal[2][i]})) << set->name << i;

@@ -1,0 +1,164 @@
+// Newton's method on one angle for the support separation of two ellipses, without a branch per pair: T is double or a
+// pack, a lane that has converged stands still, and its bits are those of double.
+//
+//   f(n) = n·d − h_A(n) − h_B(n),  h = |A^T n|, A = R diag(a, b)                                                  (1)
+//   f' = r = t·(d − x_A − x_B),  x = A (A^T n)/h,  t = n turned by a right angle                                  (2)
+//   f'' = −(ρ_A + ρ_B + f) − (r-terms that vanish at the maximum),  ρ = (a b)²/h³                                 (3)
+//   n ← ((q² − r²) n + 2 q r t)/(q² + r²),  q = 2 (ρ_A + ρ_B + f): the turn 2 atan(r/q), no root                  (4)
+//   gap <= f + r²/(2 (m + f)),  m = b_A²/a_A + b_B²/a_B the least radii of curvature, while m + f > 0             (5)
+//
+// It starts at (A_A A_A^T + A_B A_B^T)⁻¹ d. A step that would lose separation is cut to a quarter. A pair that has not
+// converged after `trials` evaluations, or overlaps by more than m, is a straggler: planar_ellipse.cpp tries many
+// starts.
+//
+// Cost: 2 roots, 4 divisions an evaluation; 3 to 4 evaluations at aspect ratio 2. Source: own derivation. Validity:
+// lengths in a power of two near the pair's extent. Accuracy: planar.h. Tests: tests/libcontact/contract.cpp,
+// tests/extremes, tests/fuzz.
+#pragma once
+
+#include <cmath>
+
+#include "shapes/math/select.h"
+
+namespace contact {
+
+using shapes::larger;
+using shapes::select;
+
+template <class T>
+struct Flat {  // a vector of the plane
+  T x, y;
+  [[gnu::always_inline]] friend T dot(const Flat& u, const Flat& v) { return u.x * v.x + u.y * v.y; }
+  [[gnu::always_inline]] friend Flat operator+(const Flat& u, const Flat& v) { return {u.x + v.x, u.y + v.y}; }
+  [[gnu::always_inline]] friend Flat operator-(const Flat& u, const Flat& v) { return {u.x - v.x, u.y - v.y}; }
+  [[gnu::always_inline]] friend Flat operator*(const T& s, const Flat& u) { return {s * u.x, s * u.y}; }
+  [[gnu::always_inline]] Flat turned() const { return {-y, x}; }
+};
+
+template <class T>
+struct FlatEllipse {
+  T a, b;  // semi-axes
+  T cosine, sine;
+};
+
+template <class T>
+struct EllipsePoint {
+  Flat<T> n, inner_a, inner_b;  // a direction; support points of a along it, of b along it, from their centres
+  T f, residual;                // separation and its slope
+  T radius_a, radius_b;         // ρ_A, ρ_B
+};
+
+template <class T>
+class EllipseSearch {
+ public:
+  using V = Flat<T>;
+  using Point = EllipsePoint<T>;
+
+  [[gnu::always_inline]] EllipseSearch(const FlatEllipse<T>& a, const FlatEllipse<T>& b, const V& d)
+      : a_(a), b_(b), d_(d) {}
+
+  // `unit`: eps L; `least_radius`: m; `enough`: an interval (5) that is narrow enough, 0: as rounding leaves it. True
+  // for the lanes that are solved; the others are stragglers.
+  [[gnu::always_inline]] auto solve(const T& unit, const T& least_radius, const T& enough, Point& best,
+                                    T& iterations) const {
+    auto usable = d_.x == d_.x;
+    V n = start(usable);
+    best = {n, n, n, T(-64), T(0), T(1), T(0)};
+    T fraction(1);
+    iterations = T(0);
+    auto solved = !usable && usable, done = !usable;
+    for (int trial = 0; trial < trials; ++trial) {
+      Point here;
+      evaluate(n, here);
+      const auto accepted = !done && here.f >= best.f - T(2) * unit;  // not of what is no number
+      iterations = select(done, iterations, T(trial + 1));
+      if (all_of(accepted)) {
+        best = here;
+        fraction = T(1);
+      } else {
+        best = choose(accepted, here, best);
+        fraction = select(accepted, T(1), T(0.25) * fraction);
+      }
+      const T square = best.residual * best.residual, reach = T(2) * (least_radius + best.f),
+              radii = best.radius_a + best.radius_b, slope = radii + best.f;
+      // The slope is loose by the rounding of a direction times the radii.
+      const T loose = T(0x1p-51) * radii, excess = T(2) * (square + loose * loose);
+      const auto settled = (square * radii <= T(8) * unit * slope * least_radius && excess <= T(8) * unit * reach) ||
+                           excess <= enough * reach;
+      solved = solved || (accepted && reach > T(0) && settled);
+      done = done || solved;
+      if (all_of(done)) break;
+      const T q = T(2) * select(slope > T(0), slope, radii), p = fraction * best.residual;
+      const T pp = p * p, qq = q * q, inverse = T(1) / (pp + qq);
+      n = choose(done, n, ((qq - pp) * inverse) * best.n + (T(2) * p * q * inverse) * best.n.turned());  // (4)
+    }
+    return solved;
+  }
+
+ private:
+  static constexpr int trials = 12;
+
+  struct Body {
+    FlatEllipse<T> e;
+    T area;  // (a b)²
+    [[gnu::always_inline]] explicit Body(const FlatEllipse<T>& given) : e(given), area(e.a * e.b * (e.a * e.b)) {}
+    [[gnu::always_inline]] V at(const V& n, T& height, T& radius) const {
+      using std::sqrt;
+      const T u = e.a * (n.x * e.cosine + n.y * e.sine), v = e.b * (n.y * e.cosine - n.x * e.sine);
+      height = sqrt(u * u + v * v);
+      const T inverse = T(1) / height;
+      radius = area * inverse * (inverse * inverse);
+      const T x = e.a * (u * inverse), y = e.b * (v * inverse);
+      return {x * e.cosine - y * e.sine, x * e.sine + y * e.cosine};
+    }
+  };
+
+  [[gnu::always_inline]] void evaluate(const V& n, Point& p) const {
+    T ha, hb;
+    p.n = n;
+    p.inner_a = a_.at(n, ha, p.radius_a);
+    p.inner_b = b_.at(n, hb, p.radius_b);
+    p.f = dot(n, d_) - (ha + hb);  // (1)
+    const V w = d_ - (p.inner_a + p.inner_b);
+    p.residual = n.x * w.y - n.y * w.x;  // (2)
+  }
+
+  template <class M>
+  [[gnu::always_inline]] static V choose(const M& mask, const V& a, const V& b) {
+    return {select(mask, a.x, b.x), select(mask, a.y, b.y)};
+  }
+  template <class M>
+  [[gnu::always_inline]] static Point choose(const M& mask, const Point& a, const Point& b) {
+    return {choose(mask, a.n, b.n),
+            choose(mask, a.inner_a, b.inner_a),
+            choose(mask, a.inner_b, b.inner_b),
+            select(mask, a.f, b.f),
+            select(mask, a.residual, b.residual),
+            select(mask, a.radius_a, b.radius_a),
+            select(mask, a.radius_b, b.radius_b)};
+  }
+  [[gnu::always_inline]] static bool all_of(bool lane) { return lane; }
+
+  template <class M>
+  [[gnu::always_inline]] V start(M& found) const {
+    using std::sqrt;
+    const auto add = [](const FlatEllipse<T>& e, T& xx, T& xy, T& yy) {
+      const T a = e.a * e.a, b = e.b * e.b, difference = a - b;
+      xx += a - difference * (e.sine * e.sine);
+      yy += b + difference * (e.sine * e.sine);
+      xy += difference * (e.sine * e.cosine);
+    };
+    T xx(0), xy(0), yy(0);
+    add(a_.e, xx, xy, yy);
+    add(b_.e, xx, xy, yy);
+    const V n{yy * d_.x - xy * d_.y, xx * d_.y - xy * d_.x};
+    const T square = dot(n, n);
+    found = found && square > T(0x1p-900) && dot(n, d_) > T(0);  // positive definite: anything else is rounding
+    return (T(1) / sqrt(select(found, square, T(1)))) * n;
+  }
+
+  Body a_, b_;
+  V d_;
+};
+
+}  // namespace contact
