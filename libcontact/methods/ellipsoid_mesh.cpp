@@ -77,8 +77,8 @@ Contact Features::query(const Placed<shapes::Ellipsoid>& a, const Placed<shapes:
   // point for it beside the edge; or an end of one, when its best direction leads away from every edge there.
   const auto& facet = b.mesh->facets[b.facet];
   const double allowance = polyhedron_rounding * size;
-  const double reach = max_abs(body.semi_axes) + (options.overlap_only ? allowance : infinity);
-  double best = options.overlap_only ? allowance : infinity;
+  const double reach = max_abs(body.semi_axes) + (options.overlap_only ? 2 * allowance : infinity);
+  double best = options.overlap_only ? 2 * allowance : infinity;
   Vec3d outward{};
   bool found = false;
   for (std::uint32_t k = 0; k < facet.edge_count; ++k) {

@@ -133,6 +133,7 @@ ConvexMeasure measure(const ConvexPair& pair) {
   s.near.p[0] = s.probe(n);
   s.near.count = 1;
   s.upper = norm(s.near.nearest());
+  double outside = s.upper;  // of the last simplex that does not hold the origin
   while (s.upper > s.rounding() && !s.closed() && s.steps < step_limit) {
     const Corner w = s.probe(to_origin(s.near, s.near.nearest(), s.upper));
     if (s.closed()) break;
@@ -148,11 +149,14 @@ ConvexMeasure measure(const ConvexPair& pair) {
     const double closer = norm(next.nearest());
     if (!(closer < s.upper)) break;
     s.near = next;
-    s.upper = closer;
+    s.upper = outside = closer;
   }
   if (!(s.upper > s.rounding()) && enclose(s)) expand(s, s.near);
   if (!s.finished()) finish_on_features(s);
   if (!s.finished() && !(pair.a.has_corners() && pair.b.has_corners())) finish_on_curvature(s);
+
+  // A sliver may hold the origin to rounding alone: a direction that keeps the bodies apart knows better.
+  if (s.upper < s.lower - 4 * s.rounding()) s.upper = outside;
 
   ConvexMeasure m;
   m.normal = s.normal;

@@ -73,9 +73,9 @@ Contact Potential::query(const Placed<shapes::PotentialParticle>& a, const Place
   if (view.over_region(view.facet, down.lowest)) return answer(face_gap, view.m, down);
 
   const auto& facet = b.mesh->facets[b.facet];
-  const double reach = body.body.circumradius() + (options.overlap_only ? allowance : infinity);
+  const double reach = body.body.circumradius() + (options.overlap_only ? 2 * allowance : infinity);
   Maximum best;
-  best.gap = options.overlap_only ? allowance : infinity;
+  best.gap = options.overlap_only ? 2 * allowance : infinity;
   const auto offer = [&](const Maximum& found) {
     best = found;
     best.found = true;

@@ -27,7 +27,8 @@ Contact Features::query(const Placed<shapes::Sphere>& a, const Placed<shapes::Me
   if (view.over_region(view.facet, view.centre)) return answer(view.height, view.m);
 
   const auto& facet = b.mesh->facets[b.facet];
-  double nearest = options.overlap_only ? radius + allowance : std::numeric_limits<double>::infinity();
+  // What is farther than that is apart by more than its interval.
+  double nearest = options.overlap_only ? radius + 2 * allowance : std::numeric_limits<double>::infinity();
   Vec3d outward{};
   bool found = false;
   for (std::uint32_t k = 0; k < facet.edge_count; ++k) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libcontact/dispatch.h"
+#include "libcontact/methods/other_libraries.h"
 
 namespace catalogue {
 
@@ -16,6 +17,13 @@ using contact::MethodInfo;
 inline std::vector<MethodInfo> of_whole_bodies() {
   std::vector<MethodInfo> list(contact::methods_begin(), contact::methods_end());
   std::erase_if(list, [](const MethodInfo& m) { return m.b == shapes::Kind::mesh; });
+  return list;
+}
+
+// Without those of other libraries, whose own errors tell nothing of checks and references.
+inline std::vector<MethodInfo> of_own_methods() {
+  std::vector<MethodInfo> list = of_whole_bodies();
+  std::erase_if(list, [](const MethodInfo& m) { return m.cost_rank >= contact::first_rank_of_other_libraries; });
   return list;
 }
 
