@@ -7,6 +7,7 @@
 #include "libcontact/methods/analytic.h"
 #include "libcontact/methods/planar.h"
 #include "libcontact/methods/support_newton.h"
+#include "libcontact/sphere_pairs.h"
 
 namespace pairs {
 
@@ -77,7 +78,7 @@ void note_own_errors(Entry& e, const Set& set, const char* method) {
 }
 
 // Spheres as the loop of libdem holds them: positions and radii in records, answers in lanes.
-void add_packed_spheres(const Set& set, std::vector<Entry>& entries) {
+void add_loop_kernels(const Set& set, std::vector<Entry>& entries) {
   namespace k = contact::kernels;
   struct Packed {
     std::vector<contact::Motion> motion;
@@ -104,6 +105,29 @@ void add_packed_spheres(const Set& set, std::vector<Entry>& entries) {
                          k::kernels().gather_spheres(w->motion.data(), &w->a[i], &w->b[i], n, w->in, w->out);
                          k::kernels().spheres(w->in, w->out, n);
                        }
+                     }});
+}
+
+// Spheres through sphere_pairs: centres and radii in rows, answers in arrays.
+void add_sphere_rows(const Set& set, std::vector<Entry>& entries) {
+  struct Packed {
+    std::vector<contact::SphereRow> spheres;
+    std::vector<std::uint32_t> a, b;
+    std::vector<double> answers;
+  };
+  auto w = std::make_shared<Packed>();
+  for (const Pair& p : set.list) {
+    w->a.push_back(static_cast<std::uint32_t>(w->spheres.size()));
+    w->b.push_back(w->a.back() + 1);
+    w->spheres.push_back({{}, set.bodies[p.a].size.x});
+    w->spheres.push_back({p.offset, set.bodies[p.b].size.x});
+  }
+  w->answers.resize(7 * set.list.size());
+  entries.push_back({&set, "own packed", set.list.size(), [w] {
+                       const std::size_t n = w->a.size();
+                       double* const r = w->answers.data();
+                       contact::sphere_pairs(w->spheres.data(), w->a.data(), w->b.data(), n,
+                                             {r, {r + n, r + 2 * n, r + 3 * n}, {r + 4 * n, r + 5 * n, r + 6 * n}});
                      }});
 }
 
@@ -151,7 +175,10 @@ void add_own(const Set& set, std::vector<Entry>& entries) {
     std::copy(work->cache.begin(), work->cache.end(), work->scratch.begin());
     chunks<true>(*work, {.overlap_only = true}, work->scratch.data());
   });
-  if (set.a == Kind::sphere && set.b == Kind::sphere) add_packed_spheres(set, entries);
+  if (set.a == Kind::sphere && set.b == Kind::sphere) {
+    add_sphere_rows(set, entries);
+    add_loop_kernels(set, entries);
+  }
   if (set.a == Kind::ellipsoid && set.b == Kind::ellipsoid) {
     const auto warm = std::make_shared<Work>(set);
     chunks<false>(*warm, {.warm_start = true}, warm->cache.data());

@@ -18,6 +18,8 @@ void store_history(const LawChunk& c, const Index* record, std::size_t count, Hi
 void store_slots(const LawChunk& c, const Index* record, std::size_t count, Slot* slot);
 void sum_slots(const Slot* slot, const Index* active, std::size_t count, Total& total);
 
+bool sphere_pairs(const SphereRow* spheres, const Index* a, const Index* b, std::size_t count,
+                  const SphereAnswers& out);
 void ellipsoid_proofs(EllipsoidChunk& chunk, std::size_t count);
 void ellipsoid_search(EllipsoidChunk& chunk, std::size_t count, bool stop_at_proof, double tolerance);
 

@@ -1,49 +1,17 @@
-// Four records at a time are turned into lanes and back: rows of four doubles are loaded whole and transposed in
-// registers, which costs a third of moving the numbers one by one. Arithmetic is lane by lane: every set gives the same
+// Four records at a time are turned into lanes and back (rows.h). Arithmetic is lane by lane: every set gives the same
 // bits. Index lists are padded to a multiple of four by the caller (any valid record will do).
 #include "libcontact/kernels/gather.h"
 
-#include <cstdint>
+#include "libcontact/kernels/rows.h"
 
 namespace contact::kernels {
 inline namespace KERNEL_SET {
 namespace {
 
-using Row = double __attribute__((vector_size(32), may_alias));
-
-// Row `row` of record `index`; records are aligned to rows.
-[[gnu::always_inline]] inline const Row& row_of(const void* base, std::size_t size, Index index, std::size_t row) {
-  return *reinterpret_cast<const Row*>(static_cast<const char*>(base) + index * size + row * sizeof(Row));
-}
-[[gnu::always_inline]] inline Row& row_of(void* base, std::size_t size, Index index, std::size_t row) {
-  return *reinterpret_cast<Row*>(static_cast<char*>(base) + index * size + row * sizeof(Row));
-}
 [[gnu::always_inline]] inline Row& lane_of(Lane& lane, std::size_t i) { return *reinterpret_cast<Row*>(&lane.v[i]); }
 [[gnu::always_inline]] inline const Row& lane_of(const Lane& lane, std::size_t i) {
   return *reinterpret_cast<const Row*>(&lane.v[i]);
 }
-
-struct Rows {  // four rows, one per record; after `turn` four lanes
-  Row a, b, c, d;
-
-  [[gnu::always_inline]] static Rows load(const void* base, std::size_t size, const Index* index, std::size_t row) {
-    return {row_of(base, size, index[0], row), row_of(base, size, index[1], row), row_of(base, size, index[2], row),
-            row_of(base, size, index[3], row)};
-  }
-  [[gnu::always_inline]] Rows turned() const {
-    const Row p = __builtin_shufflevector(a, b, 0, 4, 2, 6), q = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const Row r = __builtin_shufflevector(c, d, 0, 4, 2, 6), s = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    return {__builtin_shufflevector(p, r, 0, 1, 4, 5), __builtin_shufflevector(q, s, 0, 1, 4, 5),
-            __builtin_shufflevector(p, r, 2, 3, 6, 7), __builtin_shufflevector(q, s, 2, 3, 6, 7)};
-  }
-  [[gnu::always_inline]] void store(void* base, std::size_t size, const Index* index, std::size_t row,
-                                    std::size_t count) const {
-    row_of(base, size, index[0], row) = a;
-    if (count > 1) row_of(base, size, index[1], row) = b;
-    if (count > 2) row_of(base, size, index[2], row) = c;
-    if (count > 3) row_of(base, size, index[3], row) = d;
-  }
-};
 
 [[gnu::always_inline]] inline Rows lanes(const Lane3& v, const Lane& w, std::size_t i) {
   return {lane_of(v.x, i), lane_of(v.y, i), lane_of(v.z, i), lane_of(w, i)};

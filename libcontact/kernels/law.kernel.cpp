@@ -84,7 +84,7 @@ const KernelSet& kernel_set() {
                                  store_history,
                                  store_slots,
                                  sum_slots,
-                                 {ellipsoid_proofs, ellipsoid_search},
+                                 {sphere_pairs, ellipsoid_proofs, ellipsoid_search},
                                  {lowest, lowest_two}};
   return set;
 }

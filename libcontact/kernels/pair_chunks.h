@@ -3,6 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+
+#include "libcontact/sphere_pairs.h"
 
 namespace contact::kernels {
 
@@ -29,7 +32,13 @@ struct EllipsoidChunk {
 using EllipsoidProofs = void (*)(EllipsoidChunk& chunk, std::size_t count);
 using EllipsoidSearchKernel = void (*)(EllipsoidChunk& chunk, std::size_t count, bool stop_at_proof, double tolerance);
 
+// As sphere_pairs of libcontact/sphere_pairs.h, for any count. False where some pair is not plain (lengths outside the
+// range of squares, radii that are not positive, no numbers): its gap is NaN and the rest of its answer means nothing.
+using SpherePairKernel = bool (*)(const SphereRow* spheres, const std::uint32_t* a, const std::uint32_t* b,
+                                  std::size_t count, const SphereAnswers& out);
+
 struct PairKernels {
+  SpherePairKernel sphere_pairs;
   EllipsoidProofs ellipsoid_proofs;
   EllipsoidSearchKernel ellipsoid_search;
 };
