@@ -32,7 +32,7 @@ const char* peers_note();
 void note_errors(Entry& entry, std::vector<double> errors);
 
 // Interleaved repetitions in random order, each of at least `sample` seconds of this thread's processor time. One that
-// had less than 93 % of a core is taken anew, up to three times.
+// had less than 93 % of a core is taken anew, up to three times. Before each comes a pass that is not timed.
 void time_all(std::vector<Entry>& entries, int repetitions, double sample);
 
 void print_table(const std::vector<Entry>& entries);
