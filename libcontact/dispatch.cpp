@@ -54,10 +54,13 @@ double circumradius(const Body& b) {
 const MethodInfo* methods_begin() { return Library::begin(); }
 const MethodInfo* methods_end() { return Library::end(); }
 
-const MethodInfo* choose(Kind a, Kind b, std::string_view method) { return Library::choose(a, b, method); }
-ChunkQuery find(Kind a, Kind b, std::string_view method) { return Library::find(a, b, method); }
+const MethodInfo* choose(Kind a, Kind b, std::string_view method, double tolerance) {
+  return Library::choose(a, b, method, tolerance);
+}
+ChunkQuery find(Kind a, Kind b, std::string_view method, double tolerance) {
+  return Library::find(a, b, method, tolerance);
+}
 ChunkQuery find_own_measure(Kind a, Kind b, std::string_view method) { return Library::find_own_measure(a, b, method); }
-ChunkQuery find_within(Kind a, Kind b) { return Library::find_within(a, b); }
 
 Contact query(const Body& a, const Body& b, const Vec3d& offset, const Options& options, std::string_view method) {
   if (!geometry_is_there(a) || !geometry_is_there(b)) return refused();

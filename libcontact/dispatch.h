@@ -69,18 +69,17 @@ CONTACT_API const MethodInfo* methods_begin();
 CONTACT_API const MethodInfo* methods_end();
 
 // Null when no such method answers this pair. Needs a <= b in kind order. "auto": the cheapest certified one of the
-// exact methods, else the cheapest exact one.
-CONTACT_API const MethodInfo* choose(shapes::Kind a, shapes::Kind b, std::string_view method = "auto");
-CONTACT_API ChunkQuery find(shapes::Kind a, shapes::Kind b, std::string_view method = "auto");
+// exact methods, else the cheapest exact one. With a tolerance, which goes into Options as well, "auto" is the cheapest
+// method whose reach it is, and after it, pair by pair and marked `handed_over`, the dearer ones as long as no interval
+// is proven and narrow enough. Of answers to a tolerance, `gap_upper < 0` is what no proof of separation contradicts,
+// from a cache or from elsewhere.
+CONTACT_API const MethodInfo* choose(shapes::Kind a, shapes::Kind b, std::string_view method = "auto",
+                                     double tolerance = 0);
+CONTACT_API ChunkQuery find(shapes::Kind a, shapes::Kind b, std::string_view method = "auto", double tolerance = 0);
 
-// The same for a law that acts on what the method measures: gap, normal and patch centre of the answer are
+// For a law that acts on what the method measures: gap, normal and patch centre of the answer are
 // −method_overlap, method_normal and method_point where the method is approximate.
 CONTACT_API ChunkQuery find_own_measure(shapes::Kind a, shapes::Kind b, std::string_view method = "auto");
-
-// What `auto` asks where Options::tolerance > 0: the cheapest method whose reach it is, and after it, pair by pair and
-// marked `handed_over`, the dearer ones as long as no interval is proven and narrow enough. Of answers to
-// a tolerance, `gap_upper < 0` is what no proof of separation contradicts, from a cache or from elsewhere.
-CONTACT_API ChunkQuery find_within(shapes::Kind a, shapes::Kind b);
 
 // One pair in any order; normal points from a to b; vectors relative to a's origin. Status refused for an unknown pair.
 CONTACT_API Contact query(const Body& a, const Body& b, const Vec3d& offset, const Options& options = {},

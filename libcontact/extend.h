@@ -45,29 +45,24 @@ class Dispatch {
   // As the functions of dispatch.h.
   static const MethodInfo* begin() { return catalogue_.data(); }
   static const MethodInfo* end() { return catalogue_.data() + catalogue_.size(); }
-  static const MethodInfo* choose(Kind a, Kind b, std::string_view method = "auto") {
-    const Entry* entry = entry_of(a, b, method);
+  static const MethodInfo* choose(Kind a, Kind b, std::string_view method = "auto", double tolerance = 0) {
+    const Entry* entry = entry_of(a, b, method, tolerance);
     return entry == nullptr ? nullptr : &catalogue_[static_cast<std::size_t>(entry - table_.data())];
   }
-  static ChunkQuery find(Kind a, Kind b, std::string_view method = "auto") {
-    const Entry* entry = entry_of(a, b, method);
-    return entry == nullptr ? nullptr : entry->run;
+  static ChunkQuery find(Kind a, Kind b, std::string_view method = "auto", double tolerance = 0) {
+    const Entry* entry = entry_of(a, b, method, tolerance);
+    return entry == nullptr ? nullptr : to_tolerance(method, tolerance) ? entry->within : entry->run;
   }
   static ChunkQuery find_own_measure(Kind a, Kind b, std::string_view method = "auto") {
-    const Entry* entry = entry_of(a, b, method);
+    const Entry* entry = entry_of(a, b, method, 0);
     return entry == nullptr ? nullptr : entry->own_measure;
-  }
-  static ChunkQuery find_within(Kind a, Kind b) {
-    for (const Entry& entry : table_)
-      if (entry.info.a == a && entry.info.b == b) return entry.within;
-    return nullptr;
   }
   static Contact query(const Body& a, const Body& b, const Vec3d& offset, const Options& options = {},
                        std::string_view method = "auto") {
     Contact c = refused();
     const bool swapped = b.kind < a.kind;
     const Kind low = swapped ? b.kind : a.kind, high = swapped ? a.kind : b.kind;
-    const ChunkQuery run = method == "auto" && options.tolerance > 0 ? find_within(low, high) : find(low, high, method);
+    const ChunkQuery run = find(low, high, method, options.tolerance);
     if (run == nullptr) return c;
     if (!swapped) {
       run(1, &a, &b, &offset, options, nullptr, &c);
@@ -229,12 +224,18 @@ class Dispatch {
     return true;
   }
 
-  static const Entry* entry_of(Kind a, Kind b, std::string_view method) {
+  static bool to_tolerance(std::string_view method, double tolerance) { return method == "auto" && tolerance > 0; }
+
+  static const Entry* entry_of(Kind a, Kind b, std::string_view method, double tolerance) {
     static_assert(names_are_unique());
     const Entry* cheapest = nullptr;
     for (const Entry& entry : table_) {
       if (entry.info.a != a || entry.info.b != b) continue;
       if (method == entry.info.name) return &entry;
+      if (to_tolerance(method, tolerance)) {
+        if (entry.info.reach <= tolerance) return &entry;
+        continue;
+      }
       if (method != "auto" || !entry.info.exact) continue;
       if (entry.info.certified) return &entry;
       if (cheapest == nullptr) cheapest = &entry;

@@ -175,7 +175,7 @@ void check_methods(const World& world) {
       if (!(present[a] && other[b])) continue;
       const auto ka = static_cast<shapes::Kind>(a), kb = static_cast<shapes::Kind>(b);
       const std::string pair = std::string(shapes::name_of(ka)) + "–" + shapes::name_of(kb);
-      if (detection::find(ka, kb, {world.scene.method, world.scene.tolerance}) == nullptr)
+      if (detection::find(ka, kb, world.scene) == nullptr)
         input_error({world.scene.path, 0, 0}, "no method answers the pair " + pair +
                                                   ", which this scene has; allowed: kinds that dem list pairs shows an "
                                                   "answer for");

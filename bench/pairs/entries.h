@@ -12,6 +12,19 @@ namespace pairs {
 
 inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
+// What a loop keeps of an answer.
+struct Kept {
+  Vec3d normal, point;
+  double gap;
+};
+
+inline constexpr std::size_t largest_chunk = 32;
+
+// The first `count` pairs of a set, `chunk` a call, gathered as libdem gathers them: as placed, or in the pose that
+// follows. `cache`: null, or one for each; `kept`: one for each.
+void ask(const Set& set, contact::ChunkQuery query, const contact::Options& options, bool next, std::size_t count,
+         std::size_t chunk, contact::Cache* cache, Kept* kept);
+
 struct Entry {
   const Set* set;
   std::string subject;

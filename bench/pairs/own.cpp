@@ -18,12 +18,6 @@ using contact::Contact;
 using contact::Options;
 using shapes::Kind;
 
-// What a loop keeps of an answer.
-struct Kept {
-  Vec3d normal, point;
-  double gap;
-};
-
 // All that a subject reads and writes, allocated once.
 struct Work {
   const Set& set;
@@ -47,24 +41,8 @@ std::function<void()> one_by_one(const std::shared_ptr<Work>& w, Query query) {
 }
 
 // Chunks through the door of dispatch.h, as libdem gathers them.
-template <bool next>
-void chunks(Work& w, const Options& options, Cache* cache) {
-  constexpr std::size_t chunk = 32;
-  static thread_local Body a[chunk], b[chunk];
-  static thread_local Vec3d offset[chunk];
-  static thread_local Contact out[chunk];
-  const std::vector<Pair>& list = w.set.list;
-  for (std::size_t first = 0; first < list.size(); first += chunk) {
-    const std::size_t n = std::min(chunk, list.size() - first);
-    for (std::size_t i = 0; i < n; ++i) {
-      const Pair& p = list[first + i];
-      a[i] = w.set.bodies[p.a];
-      b[i] = w.set.bodies[next ? p.next_b : p.b];
-      offset[i] = next ? p.next_offset : p.offset;
-    }
-    w.query(n, a, b, offset, options, cache == nullptr ? nullptr : cache + first, out);
-    for (std::size_t i = 0; i < n; ++i) keep(out[i], w.kept[first + i]);
-  }
+void chunks(Work& w, const Options& options, bool next, Cache* cache) {
+  ask(w.set, w.query, options, next, w.set.list.size(), largest_chunk, cache, w.kept.data());
 }
 
 // Half the width of the proven interval, over the size: a bound of the error.
@@ -168,12 +146,12 @@ void add_own(const Set& set, std::vector<Entry>& entries) {
                                        return c;
                                      })),
                       set, method);
-  add("own chunk", [work] { chunks<false>(*work, Options{}, nullptr); });
+  add("own chunk", [work] { chunks(*work, Options{}, false, nullptr); });
   // What the loop asks: overlap only, with what the pose before left in the cache.
-  chunks<false>(*work, {.overlap_only = true}, work->cache.data());
+  chunks(*work, {.overlap_only = true}, false, work->cache.data());
   add("own chunk cached", [work] {
     std::copy(work->cache.begin(), work->cache.end(), work->scratch.begin());
-    chunks<true>(*work, {.overlap_only = true}, work->scratch.data());
+    chunks(*work, {.overlap_only = true}, true, work->scratch.data());
   });
   if (set.a == Kind::sphere && set.b == Kind::sphere) {
     add_sphere_rows(set, entries);
@@ -181,10 +159,10 @@ void add_own(const Set& set, std::vector<Entry>& entries) {
   }
   if (set.a == Kind::ellipsoid && set.b == Kind::ellipsoid) {
     const auto warm = std::make_shared<Work>(set);
-    chunks<false>(*warm, {.warm_start = true}, warm->cache.data());
+    chunks(*warm, {.warm_start = true}, false, warm->cache.data());
     add("own warm", [warm] {
       std::copy(warm->cache.begin(), warm->cache.end(), warm->scratch.begin());
-      chunks<true>(*warm, {.warm_start = true}, warm->scratch.data());
+      chunks(*warm, {.warm_start = true}, true, warm->scratch.data());
     });
   }
 }

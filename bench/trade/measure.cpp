@@ -65,7 +65,7 @@ std::vector<Way> ways(const Set& set) {
   for (const double tolerance : {0.0, 1e-9, 1e-6, 1e-4, 1e-2}) {
     Options o;
     o.tolerance = tolerance;
-    const ChunkQuery query = tolerance > 0 ? contact::find_within(set.a, set.b) : contact::find(set.a, set.b);
+    const ChunkQuery query = contact::find(set.a, set.b, "auto", tolerance);
     const std::string name = tolerance > 0 ? fmt::format("auto {:.0e}", tolerance) : std::string(exact);
     if (tolerance > 0) list.push_back({name, "cold", query, o, false});
     list.push_back({name, "batch", query, o, false});
@@ -105,40 +105,22 @@ void note_errors(Row& row, const Way& way, const Set& set, const std::vector<Tru
   row.hertz = spread(std::move(hertz));
 }
 
-// Gathers, asks and keeps what a loop keeps, `chunk` pairs a call.
 struct Runner {
-  static constexpr std::size_t most = 32;
   const Set& set;
   Way way;
   std::size_t count, chunk;
   bool next = false;
   std::vector<Cache> left{}, cache{};
-  std::vector<Vec3d> kept = std::vector<Vec3d>(2 * count + 1);
+  std::vector<pairs::Kept> kept = std::vector<pairs::Kept>(count);
 
   void run() {
-    static thread_local Body a[most], b[most];
-    static thread_local Vec3d offset[most];
-    static thread_local Contact out[most];
     std::copy(left.begin(), left.end(), cache.begin());
-    for (std::size_t first = 0; first < count; first += chunk) {
-      const std::size_t n = std::min(chunk, count - first);
-      for (std::size_t i = 0; i < n; ++i) {
-        const Pair& p = set.list[first + i];
-        a[i] = set.bodies[p.a];
-        b[i] = set.bodies[next ? p.next_b : p.b];
-        offset[i] = next ? p.next_offset : p.offset;
-      }
-      way.query(n, a, b, offset, way.options, cache.empty() ? nullptr : &cache[first], out);
-      for (std::size_t i = 0; i < n; ++i) {
-        kept[2 * (first + i)] = out[i].normal * out[i].gap;
-        kept[2 * (first + i) + 1] = out[i].patch.centre;
-      }
-    }
+    pairs::ask(set, way.query, way.options, next, count, chunk, cache.empty() ? nullptr : cache.data(), kept.data());
   }
 };
 
 std::shared_ptr<Runner> runner(const Set& set, const Way& way, std::size_t count) {
-  auto r = std::make_shared<Runner>(set, way, count, way.use == "cold" ? std::size_t{1} : Runner::most);
+  auto r = std::make_shared<Runner>(set, way, count, way.use == "cold" ? std::size_t{1} : pairs::largest_chunk);
   if (way.use != "warm") return r;
   r->cache.resize(count);
   r->run();

@@ -174,7 +174,6 @@ void fill_bins(World& world) {
   bin_of.fill(-1);
   const std::vector<char> in_regions = shapes_with_regions(world);
   bool all_spheres = true;
-  const detection::Choice choice{world.scene.method, world.scene.tolerance};
   for (std::size_t k = 0; k < c.count(); ++k) {
     const bool wall = c.key[k].b >= wall_base;
     const shapes::Kind a = p.kind[c.index_a[k]];
@@ -187,13 +186,13 @@ void fill_bins(World& world) {
     int& bin = bin_of[set * shapes::kind_count + static_cast<std::size_t>(b)];
     if (bin < 0) {
       bin = static_cast<int>(c.bins.size());
-      const bool closed = detection::closed_form(a, b, choice);
+      const bool closed = detection::closed_form(a, b, world.scene);
       all_spheres = all_spheres && closed;
       c.bins.push_back({a,
                         b,
-                        closed ? nullptr : detection::find(a, b, choice),
+                        closed ? nullptr : detection::find(a, b, world.scene),
                         regions,
-                        closed || detection::agrees_with_proofs(a, b, choice),
+                        closed || detection::agrees_with_proofs(a, b, world.scene),
                         {},
                         {},
                         {},

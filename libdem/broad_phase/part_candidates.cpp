@@ -70,8 +70,7 @@ void fill_groups(World& world) {
     if (kb < ka) std::swap(ka, kb);
     auto q = std::find_if(c.part_queries.begin(), c.part_queries.end(),
                           [&](const PartQuery& x) { return x.a == ka && x.b == kb; });
-    if (q == c.part_queries.end())
-      q = c.part_queries.insert(q, {ka, kb, detection::find(ka, kb, {world.scene.method, world.scene.tolerance})});
+    if (q == c.part_queries.end()) q = c.part_queries.insert(q, {ka, kb, detection::find(ka, kb, world.scene)});
     c.part_query[k] = static_cast<std::uint8_t>(q - c.part_queries.begin());
   }
 }

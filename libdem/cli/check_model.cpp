@@ -145,11 +145,10 @@ void print_detection(const World& world) {
   std::set<shapes::Kind> all = bodies;
   for (const Wall& w : world.walls) all.insert(w.kind);
   std::vector<std::pair<std::string, std::vector<std::string>>> methods;
-  const detection::Choice choice{world.scene.method, world.scene.tolerance};
   for (const shapes::Kind a : bodies)
     for (const shapes::Kind b : all) {
       if (b < a) continue;
-      const contact::MethodInfo* m = detection::choose(a, b, choice);
+      const contact::MethodInfo* m = detection::choose(a, b, world.scene);
       if (m == nullptr) continue;
       const std::string name(m->name), pair = fmt::format("{}-{}", shapes::name_of(a), shapes::name_of(b));
       auto at = std::find_if(methods.begin(), methods.end(), [&](const auto& x) { return x.first == name; });
@@ -161,9 +160,9 @@ void print_detection(const World& world) {
     line(first ? "detection" : "", fmt::format("{}: {}", name, fmt::join(pairs, ", ")));
     first = false;
   }
-  if (choice.tolerance > 0)
+  if (world.scene.tolerance > 0)
     line("tolerance",
-         fmt::format("{:.3g} of the smaller circumradius: wider gaps go on to a dearer method", choice.tolerance));
+         fmt::format("{:.3g} of the smaller circumradius: wider gaps go on to a dearer method", world.scene.tolerance));
 }
 
 void print_output(const World& world) {

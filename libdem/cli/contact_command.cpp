@@ -34,9 +34,9 @@ const char* name_of(Status status) {
   return "refused";
 }
 
-std::string answering_method(shapes::Kind a, shapes::Kind b, const std::string& method) {
+std::string answering_method(shapes::Kind a, shapes::Kind b, const ContactArguments& arguments) {
   const auto [low, high] = std::minmax(a, b);
-  const contact::MethodInfo* m = contact::choose(low, high, method);
+  const contact::MethodInfo* m = contact::choose(low, high, arguments.method, arguments.tolerance.value_or(0));
   return m == nullptr ? "" : std::string(m->name);
 }
 
@@ -48,7 +48,7 @@ struct Result {
 
 Result answer(const Case& input, const ContactArguments& arguments) {
   Result r{&input, "", {}};
-  r.method = answering_method(input.a.kind, input.b.kind, arguments.method);
+  r.method = answering_method(input.a.kind, input.b.kind, arguments);
   Contact& c = r.contact;
   contact::Options wanted;
   wanted.tolerance = arguments.tolerance.value_or(0);

@@ -26,9 +26,8 @@ void phases(const PhaseTimes& t) {
 }
 
 const char* method_of(const World& world, shapes::Kind a, shapes::Kind b) {
-  const detection::Choice choice{world.scene.method, world.scene.tolerance};
-  const contact::MethodInfo* m = detection::choose(a, b, choice);
-  if (m != nullptr) return detection::closed_form(a, b, choice) ? "spheres" : m->name.data();
+  const contact::MethodInfo* m = detection::choose(a, b, world.scene);
+  if (m != nullptr) return detection::closed_form(a, b, world.scene) ? "spheres" : m->name.data();
   return "-";
 }
 

@@ -39,7 +39,7 @@ TEST_P(Tolerance, the_interval_is_as_narrow_as_asked_and_holds_the_exact_one) {
       Options wanted;
       wanted.tolerance = tolerance;
       Contact r;
-      find_within(m.a, m.b)(1, &c.a, &c.b, &c.offset, wanted, nullptr, &r);
+      find(m.a, m.b, "auto", wanted.tolerance)(1, &c.a, &c.b, &c.offset, wanted, nullptr, &r);
       ASSERT_NE(r.status, Status::refused);
       EXPECT_LE(r.gap_lower, r.gap);
       EXPECT_LE(r.gap, r.gap_upper);
@@ -69,8 +69,8 @@ TEST_P(Tolerance, a_cached_proof_contradicts_no_overlap) {
     Cache kept, none;
     Contact first, cold, cached;
     find(m.a, m.b)(1, &c.a, &c.b, &c.offset, {}, &kept, &first);
-    find_within(m.a, m.b)(1, &c.a, &c.b, &c.offset, wanted, &none, &cold);
-    find_within(m.a, m.b)(1, &c.a, &c.b, &c.offset, wanted, &kept, &cached);
+    find(m.a, m.b, "auto", wanted.tolerance)(1, &c.a, &c.b, &c.offset, wanted, &none, &cold);
+    find(m.a, m.b, "auto", wanted.tolerance)(1, &c.a, &c.b, &c.offset, wanted, &kept, &cached);
     EXPECT_EQ(cold.gap_upper < 0, cached.gap_upper < 0);
     if (!(cold.gap_upper < 0)) continue;
     EXPECT_EQ(cold.gap, cached.gap);
@@ -91,10 +91,10 @@ TEST_P(Tolerance, a_chunk_gives_the_bits_of_single_queries) {
   Options wanted;
   wanted.tolerance = 1e-6;
   std::vector<Contact> chunk(n);
-  find_within(m.a, m.b)(n, a.data(), b.data(), offset.data(), wanted, nullptr, chunk.data());
+  find(m.a, m.b, "auto", wanted.tolerance)(n, a.data(), b.data(), offset.data(), wanted, nullptr, chunk.data());
   for (std::size_t i = 0; i < n; ++i) {
     Contact one;
-    find_within(m.a, m.b)(1, &a[i], &b[i], &offset[i], wanted, nullptr, &one);
+    find(m.a, m.b, "auto", wanted.tolerance)(1, &a[i], &b[i], &offset[i], wanted, nullptr, &one);
     EXPECT_EQ(chunk[i].gap, one.gap);
     EXPECT_EQ(chunk[i].gap_lower, one.gap_lower);
     EXPECT_EQ(chunk[i].gap_upper, one.gap_upper);
@@ -181,7 +181,7 @@ TEST(Escalation, what_is_too_wide_goes_on) {
   EXPECT_TRUE(c.handed_over);
   EXPECT_NEAR(c.gap_upper - c.gap_lower, 0.8e-4, 1e-12);
   EXPECT_EQ(Three::choose(Kind::sphere, Kind::sphere)->name, "truth");
-  EXPECT_EQ(Three::find_within(Kind::sphere, Kind::ellipsoid), nullptr);
+  EXPECT_EQ(Three::find(Kind::sphere, Kind::ellipsoid, "auto", 1e-2), nullptr);
 }
 
 }  // namespace

@@ -84,11 +84,11 @@ class DetectionMethods : public testing::TestWithParam<MethodInfo> {};
 TEST_P(DetectionMethods, bodies_meet_and_part) {
   const MethodInfo& m = GetParam();
   const Scene scene = meeting(m);
-  EXPECT_EQ(detection::choose(m.a, m.b, {scene.method})->name, m.name);
+  EXPECT_EQ(detection::choose(m.a, m.b, scene)->name, m.name);
   // A wall that it does not answer has an exact method.
   const Kind wall = shapes::dimension_of(m.a) == 2 ? Kind::line : Kind::plane;
-  EXPECT_TRUE(detection::choose(m.a, wall, {scene.method})->exact || contact::choose(m.a, wall, m.name) != nullptr);
-  EXPECT_FALSE(detection::closed_form(m.a, m.b, {scene.method}));
+  EXPECT_TRUE(detection::choose(m.a, wall, scene)->exact || contact::choose(m.a, wall, m.name) != nullptr);
+  EXPECT_FALSE(detection::closed_form(m.a, m.b, scene));
   World world = build_world(scene);
   const auto& motion = world.particles.motion;
   double closest = 1;

@@ -153,10 +153,8 @@ int contact_query(size_t n, const contact_body* a, const contact_body* b, const 
       c.offset[c.n] = swapped ? -d : d;
       if (caches != nullptr) std::memcpy(static_cast<void*>(&c.cache[c.n]), &caches[i], sizeof(contact::Cache));
     }
-    const bool within = method == nullptr && wanted.tolerance > 0;
-    const contact::ChunkQuery run = within
-                                        ? contact::find_within(c.a[0].kind, c.b[0].kind)
-                                        : contact::find(c.a[0].kind, c.b[0].kind, method == nullptr ? "auto" : method);
+    const contact::ChunkQuery run =
+        contact::find(c.a[0].kind, c.b[0].kind, method == nullptr ? "auto" : method, wanted.tolerance);
     if (run == nullptr)
       std::fill_n(c.answer, c.n, contact::refused());
     else
