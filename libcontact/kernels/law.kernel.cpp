@@ -10,9 +10,6 @@ namespace contact::kernels {
 inline namespace KERNEL_SET {
 namespace {
 
-using shapes::Pack;
-using V = shapes::Vec3<Pack>;
-
 struct HertzMindlin {
   static NormalForce<Pack> normal(const LawChunk& c, std::size_t i, const Kinematics<Pack>& k, const Pack& least) {
     return Hertz::update<Pack>({load(c.young_eff, i), load(c.damping, i), least}, k);

@@ -16,8 +16,6 @@
 
 namespace contact {
 
-inline bool is_finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 class AskedPair {
  public:
   static constexpr int question_limit = 1000;

@@ -66,6 +66,7 @@ template <class T>
 Vec3<T> normalized(const Vec3<T>& a) {
   return a * (T(1) / norm(a));
 }
+inline bool is_finite(const Vec3<double>& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 template <class T>
 constexpr T max_abs(const Vec3<T>& a) {
   const T ax = a.x < T(0) ? -a.x : a.x, ay = a.y < T(0) ? -a.y : a.y, az = a.z < T(0) ? -a.z : a.z;

@@ -16,8 +16,7 @@ contact::Contact ask(const Case& c, std::string_view method) {
 Outcome judge(const Case& c, const contact::Contact& got) {
   if (got.status == contact::Status::refused) return {Verdict::refused, 0, 0, false};
   const reference::Real size = reference::Real(std::max({max_abs(c.offset), c.a.circumradius(), c.b.circumradius()}));
-  const auto finite = [](const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
-  if (!finite(got.normal) || !finite(got.point_a) || !finite(got.point_b) || !finite(got.patch.centre) ||
+  if (!is_finite(got.normal) || !is_finite(got.point_a) || !is_finite(got.point_b) || !is_finite(got.patch.centre) ||
       !std::isfinite(got.gap) || !(got.gap_lower <= got.gap) || !(got.gap <= got.gap_upper) || !(size > 0))
     return {Verdict::wrong, 0, 0, got.certified};
   reference::Answer truth = reference::answer(c.a, c.b, c.offset);

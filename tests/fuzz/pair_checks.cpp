@@ -88,8 +88,6 @@ void each_direction(const PairCase& c, const Vector& normal, Source& s, Use&& us
   }
 }
 
-bool is_finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 class Judge {
  public:
   Judge(const PairCase& pair, const Contact& answer) : c_(pair), r_(answer), unit_(epsilon * pair.extent()) {}

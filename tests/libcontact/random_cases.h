@@ -10,8 +10,8 @@
 #include "shapes/math/quat.h"
 #include "shapes/math/trig.h"
 #include "shapes/mesh_build.h"
-#include "shapes/polygon_build.h"
 #include "shapes/polyhedron_build.h"
+#include "tests/shapes/polygon_samples.h"
 #include "tests/shapes/potential_samples.h"
 
 namespace random_cases {
@@ -45,13 +45,7 @@ inline const std::vector<shapes::Polyhedron>& solids() {
   return list;
 }
 
-inline const std::vector<shapes::Polygon>& polygons() {
-  static const std::vector<shapes::Polygon> list{
-      shapes::make_regular_polygon(3, 1), shapes::make_regular_polygon(4, 1), shapes::make_regular_polygon(7, 1),
-      shapes::polygon_hull(std::vector<Vec3d>{{-1, -0.125, 0}, {1, -0.125, 0}, {1, 0.125, 0}, {-1, 0.125, 0}}),
-      shapes::polygon_hull(std::vector<Vec3d>{{-0.5, -0.5, 0}, {1, -0.25, 0}, {0.25, 0.75, 0}, {-0.75, 0.5, 0}})};
-  return list;
-}
+using shape_tests::polygons;
 
 // A tent of two slopes and a level part, so that facets, inner edges and open edges all occur.
 inline const shapes::Mesh& wall() {

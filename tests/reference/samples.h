@@ -5,9 +5,9 @@
 #include <random>
 #include <stdexcept>
 
-#include "shapes/polygon_build.h"
 #include "shapes/polyhedron_build.h"
 #include "tests/reference/body.h"
+#include "tests/shapes/polygon_samples.h"
 #include "tests/shapes/potential_samples.h"
 
 namespace reference {
@@ -47,13 +47,7 @@ inline const std::vector<shapes::Polyhedron>& solids() {
   return list;
 }
 
-inline const std::vector<shapes::Polygon>& polygons() {
-  static const std::vector<shapes::Polygon> list{
-      shapes::make_regular_polygon(3, 1), shapes::make_regular_polygon(4, 1), shapes::make_regular_polygon(7, 1),
-      shapes::polygon_hull(std::vector<Vec3d>{{-1, -0.125, 0}, {1, -0.125, 0}, {1, 0.125, 0}, {-1, 0.125, 0}}),
-      shapes::polygon_hull(std::vector<Vec3d>{{-0.5, -0.5, 0}, {1, -0.25, 0}, {0.25, 0.75, 0}, {-0.75, 0.5, 0}})};
-  return list;
-}
+using shape_tests::polygons;
 
 inline Body sample(Kind kind, Source& draw) {
   Body b{kind, {draw.uniform(0.3, 1.5), 0, 0}, draw.orientation(shapes::dimension_of(kind)), nullptr};
