@@ -1,6 +1,6 @@
 // What a law sees of a contact, and what it answers. All members are scalars or packs T; world axes; SI units.
 // Signs: the normal points from a to b; velocities are those of a relative to b at the contact's centre; forces are
-// those on a (b feels the opposite).
+// those on b (a feels the opposite), moments those on a (b feels the opposite).
 #pragma once
 
 #include <cmath>
@@ -12,16 +12,20 @@ namespace contact {
 
 using shapes::larger;
 using shapes::select;
+using shapes::Vec3;
 
 template <class T>
 struct Kinematics {
-  T overlap;               // δ, m; <= 0: no contact
-  shapes::Vec3<T> normal;  // n, unit
-  T closing_speed;         // dδ/dt = v·n, m/s
-  shapes::Vec3<T> slip;    // v − (v·n) n, m/s
-  T radius_eff, mass_eff;  // R*, m; m*, kg
-  T dt;                    // s, the step; 0: the force as it stands
-  T onset;  // part of the step in contact when it began in it or (not clipped) will end in it, else 0, –
+  T overlap{};                 // δ, m; >= 0, but < 0 for a law that holds across a gap
+  Vec3<T> normal{};            // n, unit
+  T closing_speed{};           // dδ/dt = v·n, m/s
+  Vec3<T> slip{};              // v − (v·n) n, m/s
+  T radius_eff{}, mass_eff{};  // R*, m; m*, kg
+  T dt{};                      // s, the step; 0: the force as it stands
+  T onset{};           // part of the step in contact when it began in it or (not clipped) will end in it, else 0, –
+  T overlap_before{};  // δ of the last step, m; 0: first step of a contact
+  T dt_contact{};      // the part of dt that was spent in contact, s
+  Vec3<T> relative_spin{};  // ω_a − ω_b, rad/s
 };
 
 // The closing speed at hand is that of half a step ago, v − a dt/2: with it the elastic force and the dashpot both act
@@ -39,11 +43,52 @@ T lag_factor(const T& damping, const T& mass_eff, const T& dt, double p) {
 
 template <class T>
 struct NormalForce {
-  T force;           // N, >= 0 where it is clipped
-  T elastic;         // N, its elastic part
-  T stiffness;       // dF/dδ of the elastic part, N/m
-  T damping;         // c of the dashpot, N s/m
-  T contact_radius;  // a, m; 0 for laws without one
+  T force{};           // on b along n, N; >= 0 where it is clipped, < 0 where it pulls
+  T elastic{};         // N, its part without dashpots
+  T stiffness{};       // steepest slope dF/dδ of the elastic part here, loading or unloading, N/m
+  T damping{};         // c of the dashpot, N s/m
+  T contact_radius{};  // a, m; 0 for laws without one
+  T stiffness_t{};     // kt of the tangential spring, N/m
+  T damping_t{};       // ct of its dashpot, N s/m
+  T holding{};         // what the friction coefficient multiplies, N, >= 0
+  T shrink{};          // factor on the tangential spring as the contact radius shrinks, 0 … 1; 1: none
+  T energy{};          // stored, as it would be given back from here, J
+  T bond{};            // 1 where the contact holds on without overlap, else 0
 };
+
+template <class T>
+struct TangentialForce {
+  Vec3<T> force{};  // on b, along the slip of a, N
+  T energy{};       // stored in springs, J
+};
+
+template <class T>
+struct Moment {
+  Vec3<T> moment{};  // on a, N m
+  T energy{};        // stored in springs, J
+};
+
+template <class T>
+struct Pull {
+  T force{};   // attraction, N, >= 0
+  T energy{};  // stored, J, <= 0: zero where the pull ends
+  T bond{};    // 1 where it reaches on without overlap, else 0
+};
+
+// f(a.member, b.member) for every member of a NormalForce.
+template <class A, class B, class F>
+constexpr void each_of_normal_force(A& a, B& b, F&& f) {
+  f(a.force, b.force);
+  f(a.elastic, b.elastic);
+  f(a.stiffness, b.stiffness);
+  f(a.damping, b.damping);
+  f(a.contact_radius, b.contact_radius);
+  f(a.stiffness_t, b.stiffness_t);
+  f(a.damping_t, b.damping_t);
+  f(a.holding, b.holding);
+  f(a.shrink, b.shrink);
+  f(a.energy, b.energy);
+  f(a.bond, b.bond);
+}
 
 }  // namespace contact

@@ -1,36 +1,41 @@
-// The list of named force laws: which normal and tangential laws a combination is made of, which material parameters it
-// reads, and its history. Scene keywords and the catalogue are checked against it.
+// The lists of force laws, one per family, and the classical combinations that have names. Scene keywords, the stages of
+// the kernels, the catalogue and the property tests are made from them.
 #pragma once
 
+#include <string_view>
 #include <tuple>
 
-#include "libcontact/laws/law.h"
+#include "libcontact/laws/cohesion/no_cohesion.h"
 #include "libcontact/laws/normal/hertz.h"
 #include "libcontact/laws/normal/linear.h"
+#include "libcontact/laws/rolling/no_rolling.h"
 #include "libcontact/laws/tangential/coulomb_spring.h"
 
 namespace contact {
 
-struct SpringDashpot {
-  static constexpr const char* name = "spring_dashpot";
-  using Normal = Linear;
-  using Tangential = CoulombSpring;
-  static constexpr const char* parameters = "stiffness (N/m), poisson, restitution, friction";
-  static constexpr const char* remark = "F = kn d + cn v, clipped at zero or not; kt = kn 2(1-nu)/(2-nu)";
-  static constexpr const char* source = "Cundall & Strack 1979; end of contact at F = 0, or at d = 0";
+using NormalLaws = std::tuple<Linear, Hertz>;
+using TangentialLaws = std::tuple<CoulombSpring>;
+using RollingLaws = std::tuple<NoRolling>;
+using CohesionLaws = std::tuple<NoCohesion>;
+
+// f(Law{}, i) for every law of a list.
+template <class List, class F>
+constexpr void each_law(F&& f) {
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    (f(std::tuple_element_t<i, List>{}, i), ...);
+  }(std::make_index_sequence<std::tuple_size_v<List>>{});
+}
+
+struct NamedLaw {
+  std::string_view name, normal, tangential, rolling, cohesion;
+  bool damped;  // reads `restitution`
+  std::string_view remark;
 };
 
-struct HertzMindlin {
-  static constexpr const char* name = "hertz_mindlin";
-  using Normal = Hertz;
-  using Tangential = CoulombSpring;
-  static constexpr const char* parameters = "young (Pa), poisson, restitution, friction";
-  static constexpr const char* remark =
-      "F = 4/3 E* sqrt(R*) d^1.5 + Tsuji's dashpot, clipped or not; kt = 8 G* a, no micro-slip";
-  static constexpr const char* source =
-      "Mindlin 1949; Tsuji, Tanaka & Ishida 1992; rescaling on unloading: Agnolin & Roux 2007";
+inline constexpr NamedLaw named_laws[] = {
+    {"linear_spring", "linear", "coulomb_spring", "none", "none", false, "(9.20)-(9.23), no dashpots"},
+    {"spring_dashpot", "linear", "coulomb_spring", "none", "none", true, "(9.24)-(9.28)"},
+    {"hertz_mindlin", "hertz", "coulomb_spring", "none", "none", true, "(9.6), (9.7), (9.16), no micro-slip"},
 };
-
-using Laws = std::tuple<SpringDashpot, HertzMindlin>;
 
 }  // namespace contact

@@ -24,8 +24,12 @@ inline double damping_of(double restitution, bool clip) {
   return clip ? clipped_damping(restitution) : unclipped_damping(restitution);
 }
 
-// E* (8.6), G* (8.25), kn in series, kt/kn = 1/κ with κ = E*/(4G*), friction = the smaller one, restitution = the
-// smaller one. A rigid partner is left out of both moduli; two rigid materials never meet (refused by the caller).
+// E* (8.6), G* (8.25), stiffnesses in series, kt/kn = 1/κ with κ = E*/(4G*); friction, restitution, resistance to
+// rolling and twisting, cohesion and yield pressure = the smaller one; W = sqrt(W₁ W₂); viscous time, plastic depth and
+// contact angle = the mean. A rigid partner is left out of all that comes from deformation; two rigid materials never
+// meet (refused by the caller).
 CONTACT_API PairParameters mix(const Material& a, const Material& b, bool clip = true);
+// What follows from the restitution.
+CONTACT_API void set_restitution(PairParameters& p, double restitution, bool clip = true);
 
 }  // namespace contact

@@ -9,7 +9,7 @@
 // tests/libcontact/laws_tangential.cpp
 #pragma once
 
-#include "libcontact/laws/kinematics.h"
+#include "libcontact/laws/state.h"
 
 namespace contact {
 
@@ -27,20 +27,34 @@ shapes::Vec3<T> carried(const shapes::Vec3<T>& f, const shapes::Vec3<T>& n_old, 
 
 struct CoulombSpring {
   static constexpr const char* name = "coulomb_spring";
-  // elastic: in: the carried history, out: the new one. Returns the tangential force (on b, along the slip of a).
+  static constexpr const char* parameters = "friction";
+  static constexpr const char* remark = "spring and dashpot under Coulomb's cap, no micro-slip";
+  static constexpr const char* source =
+      "Mindlin 1949, no slip; rescaling on unloading: Agnolin & Roux 2007, Thornton et al. 2013";
+  static constexpr int vectors = 1;
   template <class T>
-  static shapes::Vec3<T> update(const T& kt, const T& ct, const T& cap, const shapes::Vec3<T>& slip,
-                                const T& dt_contact, shapes::Vec3<T>& elastic) {
+  struct State {
+    Vec3<T> force{};  // elastic, on b, N
+  };
+
+  template <class T>
+  static TangentialForce<T> update(const PairOf<T>& p, const Kinematics<T>& k, const NormalForce<T>& f,
+                                   const LawOptions&, State<T>& s) {
     using std::sqrt;
-    elastic += slip * (kt * dt_contact);
-    const shapes::Vec3<T> trial = elastic + slip * ct;
+    // Not μ F where μ is infinite and F is not there.
+    const T cap = select(f.holding > T(0), p.friction * f.holding, T(0));
+    s.force = s.force * f.shrink + k.slip * (f.stiffness_t * k.dt_contact);
+    const Vec3<T> trial = s.force + k.slip * f.damping_t;
     const T square = dot(trial, trial);
     const auto slides = square > cap * cap;
     const T shorten = select(slides, cap / sqrt(select(slides, square, T(1))), T(1));
-    const shapes::Vec3<T> force = trial * shorten;
-    elastic = {select(slides, force.x, elastic.x), select(slides, force.y, elastic.y),
-               select(slides, force.z, elastic.z)};
-    return force;
+    TangentialForce<T> out;
+    out.force = trial * shorten;
+    s.force = {select(slides, out.force.x, s.force.x), select(slides, out.force.y, s.force.y),
+               select(slides, out.force.z, s.force.z)};
+    const auto holds = f.stiffness_t > T(0);
+    out.energy = select(holds, T(0.5) * dot(s.force, s.force) / select(holds, f.stiffness_t, T(1)), T(0));
+    return out;
   }
 };
 
