@@ -16,6 +16,7 @@
 #include "libdem/insertion/rain.h"
 #include "libdem/insertion/region.h"
 #include "libdem/integrators/rotation.h"
+#include "libdem/laws_of_scene.h"
 #include "libdem/parts.h"
 #include "libdem/walls.h"
 
@@ -111,13 +112,15 @@ double overlap_radius(const World& world, std::size_t i) {
 namespace {
 
 void mix_materials(World& world) {
-  for (const MaterialSpec& m : world.scene.materials)
-    world.materials.push_back({m.young, m.poisson, m.density, m.restitution, m.friction, m.stiffness, m.rigid});
+  const LawSpec& law = world.scene.law;
+  world.law = law_model_of(law);
+  world.law_options = law_options_of(law);
+  for (const MaterialSpec& m : world.scene.materials) world.materials.push_back(material_of(m, law));
   const std::size_t n = world.materials.size();
   world.pairs.resize(n * n);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
-      world.pairs[i * n + j] = contact::mix(world.materials[i], world.materials[j], world.scene.law.clip);
+      world.pairs[i * n + j] = contact::mix(world.materials[i], world.materials[j], law.clip);
   for (const MaterialPairSpec& p : world.scene.pairs) {
     const std::size_t i = material_index(world, p.a, p.where), j = material_index(world, p.b, p.where);
     for (contact::PairParameters* q : {&world.pairs[i * n + j], &world.pairs[j * n + i]}) {
@@ -126,10 +129,11 @@ void mix_materials(World& world) {
         q->stiffness_t = p.stiffness * (q->stiffness_n > 0 ? q->stiffness_t / q->stiffness_n : 1);
         q->stiffness_n = p.stiffness;
       }
-      if (!std::isnan(p.restitution)) {
-        q->restitution = p.restitution;
-        q->damping = contact::damping_of(p.restitution, world.scene.law.clip);
-      }
+      if (!std::isnan(p.restitution)) contact::set_restitution(*q, p.restitution, law.clip);
+      if (!std::isnan(p.work_of_adhesion)) q->work_of_adhesion = p.work_of_adhesion;
+      if (!std::isnan(p.rolling_friction)) q->rolling_friction = p.rolling_friction;
+      if (!std::isnan(p.twisting_friction)) q->twisting_friction = p.twisting_friction;
+      if (!std::isnan(p.cohesion)) q->cohesion = p.cohesion;
     }
   }
 }
@@ -228,6 +232,19 @@ double automatic_skin(const World& world) {
   return 0.2 * smallest;
 }
 
+// The widest gap that a contact of the scene holds on across: the list of candidates reaches at least as far, so that
+// no bond is lost by a rebuild.
+double widest_hold(const World& world) {
+  if (!world.law.lingers) return 0;
+  double largest = 0, widest = 0;
+  for (const Motion& m : world.particles.motion) largest = std::max(largest, m.equivalent_radius);
+  for (const Draft& d : coming_bodies(world))
+    largest = std::max(largest, world.shapes[d.shape].equivalent_radius * d.scale);
+  for (const PairParameters& q : world.pairs)  // R* of a wall is the largest
+    if (std::isfinite(q.young_eff)) widest = std::max(widest, world.law.range(q, world.law_options, largest));
+  return widest * (1 + 1e-9);
+}
+
 }  // namespace
 
 World build_world(const Scene& scene) {
@@ -278,7 +295,7 @@ World build_world(const Scene& scene) {
         spin_of(world.particles.orientation[i], world.particles.angular_momentum[i], world.particles.inertia[i]);
   }
   check_methods(world);
-  world.skin = scene.run.skin >= 0 ? scene.run.skin : automatic_skin(world);
+  world.skin = std::max(scene.run.skin >= 0 ? scene.run.skin : automatic_skin(world), widest_hold(world));
   check_cell(world);
   world.time_step = choose_time_step(world);
   move_walls(world);

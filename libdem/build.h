@@ -34,9 +34,7 @@ void add_csv(World& world, const CsvSpec& spec);
 // dt from the smallest stability limit of the scene's contacts.
 TimeStep choose_time_step(const World& world);
 // Normal and tangential stiffness of a touching contact as it is now, N/m.
-struct Stiffness {
-  double n, t;
-};
+using contact::Stiffness;
 Stiffness contact_stiffness(const World& world, std::size_t record);
 // Of the dashpot of a touching contact of two bodies as it is now, 2 β sqrt(m* kn) with m* from the bodies' masses, N
 // s/m.

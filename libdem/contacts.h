@@ -2,12 +2,14 @@
 // list by merging sorted keys, so what a contact remembers does not depend on when lists were built.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "libcontact/dispatch.h"
 #include "libcontact/kernels/records.h"
 #include "libcontact/laws/law.h"
+#include "libcontact/laws/ledger.h"
 
 namespace dem {
 
@@ -29,7 +31,8 @@ inline constexpr std::uint64_t wall_base = std::uint64_t(1) << 63;
 
 struct Change {  // a contact that came or went in a step
   std::uint32_t record;
-  double overlap;  // m, that it had when it went; 0: it came
+  double overlap;                                       // m, that it had when it went; 0: it came
+  std::array<double, contact::mechanism_count> lost{};  // J, over its time, of law.ledger
 };
 
 // The records of one pair of kinds, answered by one function: dispatch happens here, never per pair.
@@ -59,6 +62,11 @@ struct Contacts {
   std::vector<std::uint32_t> index_a,
       index_b;                            // particle index; index_b = wall index for walls. a is lower in kind order
   std::vector<contact::History> history;  // zero when not touching
+  // What laws remember beside the History, `words` doubles per record: their states, then the stored energy (J). Empty
+  // where the fused kernels do.
+  std::vector<double> memory;
+  std::size_t words = 0;
+  std::vector<contact::Ledger> ledger;  // empty without law.ledger
   std::vector<std::uint8_t> touching;
   std::vector<Slot> slot;
   std::vector<Vec3d> centre;          // of the contact, relative to a's centre, m; empty when all are spheres

@@ -2,6 +2,7 @@
 // kernels back to its record. Inner header of forces.cpp and forces_compound.cpp.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -35,6 +36,7 @@ struct Scratch {
   std::vector<Change> changed;
   std::vector<std::uint32_t> through;  // records whose normal has turned round
   LawChunk law;
+  contact::kernels::LawWork work;  // where laws run in stages
   SphereChunk spheres;
   contact::kernels::Lane clearance;
   std::uint32_t entry[chunk_size] = {};
@@ -53,8 +55,9 @@ class ForcePass {
   ForcePass(World& world, double dt)
       : world_(world), c_(world.contacts), p_(world.particles), set_(contact::kernels::kernels()), dt_(dt) {
     wanted_.tolerance = world.scene.tolerance;
-    options_ = {world.scene.law.rescale, world.scene.law.clip};
-    hertz_ = world.scene.law.name == LawName::hertz_mindlin;
+    wanted_.overlap_only = !world.law.lingers;  // else the gap is wanted of those that hold on
+    staged_ = c_.words > 0;
+    lingers_ = world.law.lingers;
     lattice_ = world.cell.periodic ? &world.cell.lattice : nullptr;
     for (const Wall& w : world.walls) {
       contact::Body b;
@@ -70,6 +73,9 @@ class ForcePass {
   // To a tolerance, contact is what is proven: a search that stops early and a proof of separation agree on it.
   bool overlap(const contact::Contact& q) const { return (wanted_.tolerance > 0 ? q.gap_upper : q.gap) < 0; }
 
+  // Whether record k is to pass the law although its bodies may be apart: it has met, and may hold on.
+  bool may_hold(std::size_t k) const { return lingers_ && c_.touching[k] != 0; }
+
   void begin(std::size_t k, Scratch& s) const {
     if (c_.touching[k] != 0) return;
     c_.touching[k] = 1;
@@ -79,6 +85,13 @@ class ForcePass {
   void forget(std::size_t k, Scratch& s) const {
     if (c_.touching[k] == 0) return;
     s.changed.push_back({static_cast<std::uint32_t>(k), c_.history[k].overlap});
+    if (staged_) {
+      std::fill_n(c_.memory.begin() + static_cast<std::ptrdiff_t>(k * c_.words), c_.words, 0.0);
+      if (!c_.ledger.empty()) {
+        s.changed.back().lost = c_.ledger[k].lost;
+        c_.ledger[k] = {};
+      }
+    }
     c_.history[k] = {};
     c_.touching[k] = 0;
     c_.slot[k] = {};
@@ -86,14 +99,8 @@ class ForcePass {
 
   void load_pair(std::size_t i, std::uint32_t pair, Scratch& s) const {
     if (pair == s.pair[i]) return;  // lanes keep their pair of materials from chunk to chunk: it seldom changes
-    LawChunk& l = s.law;
-    const PairParameters& q = world_.pairs[pair];
-    l.young_eff[i] = q.young_eff;
-    l.shear_eff[i] = q.shear_eff;
-    l.stiffness_n[i] = q.stiffness_n;
-    l.stiffness_t[i] = q.stiffness_t;
-    l.friction[i] = q.friction;
-    l.damping[i] = q.damping;
+    contact::each_parameter(s.law.pair, world_.pairs[pair],
+                            [i](contact::kernels::Lane& lane, double value) { lane[i] = value; });
     s.pair[i] = pair;
   }
 
@@ -111,23 +118,58 @@ class ForcePass {
     set_.store_slots(s.law, s.record, n, c_.slot.data());
   }
 
-  void run_law(LawChunk& l, std::size_t n, bool patch) const {
-    const auto kernel = patch ? (hertz_ ? set_.hertz_mindlin_patch : set_.spring_dashpot_patch)
-                              : (hertz_ ? set_.hertz_mindlin : set_.spring_dashpot);
-    kernel(l, n, dt_, options_);
+  void run_law(std::size_t n, bool patch, Scratch& s) const {
+    if (staged_) return run_stages(n, patch, s);
+    const bool hertz = world_.law.hertzian;
+    const auto kernel = patch ? (hertz ? set_.hertz_mindlin_patch : set_.spring_dashpot_patch)
+                              : (hertz ? set_.hertz_mindlin : set_.spring_dashpot);
+    kernel(s.law, n, dt_, world_.law_options);
+  }
+
+  void run_stages(std::size_t n, bool patch, Scratch& s) const {
+    contact::kernels::LawWork& w = s.work;
+    const std::size_t words = c_.words - 1;  // the last one is the energy
+    for (std::size_t i = 0; i < n; ++i) {
+      const double* memory = &c_.memory[s.record[i] * c_.words];
+      for (std::size_t j = 0; j < words; ++j) w.memory[j][i] = memory[j];
+      w.gain[i] = 1;
+    }
+    // Idle lanes of the last pack: at rest, without memory.
+    for (std::size_t i = n; i % 8 != 0; ++i) {
+      for (std::size_t j = 0; j < words; ++j) w.memory[j][i] = 0;
+      w.gain[i] = 1;
+      s.law.overlap[i] = s.law.history_overlap[i] = 0;
+    }
+    world_.law.run(s.law, w, n, dt_, world_.law_options, patch);
+    for (std::size_t i = 0; i < n; ++i) {
+      double* memory = &c_.memory[s.record[i] * c_.words];
+      for (std::size_t j = 0; j < words; ++j) memory[j] = w.memory[j][i];
+      memory[words] = w.normal.energy[i] + w.tangential_energy[i] + w.moment_energy[i] + w.pull_energy[i];
+      if (c_.ledger.empty()) continue;
+      contact::Ledger& ledger = c_.ledger[s.record[i]];
+      contact::book(s.law, w, i, world_.law.loss, ledger);
+      if (dt_ == 0) ledger.lost = {};  // what is there at the start has not been lost
+    }
+  }
+
+  // After the law: those of lanes 0 … n − 1 whose contact is over.
+  void let_go(std::size_t n, Scratch& s) const {
+    for (std::size_t i = 0; i < n; ++i)
+      if (!(s.law.history_overlap[i] > 0) && !(lingers_ && s.work.bond[i] > 0)) forget(s.record[i], s);
   }
 
   // The n contacts that have been gathered: law, torques about the centres, back to their records.
   void finish(std::size_t n, bool patch, Scratch& s) const {
     LawChunk& l = s.law;
     load_histories(n, s);
-    run_law(l, n, patch);
+    run_law(n, patch, s);
     for (std::size_t i = 0; i < n; ++i) {
-      const Vec3d f = get(l.force, i), couple = patch ? get(l.couple, i) : Vec3d{};
+      const Vec3d f = get(l.force, i), couple = patch || staged_ ? get(l.couple, i) : Vec3d{};
       put(l.couple, i, cross(s.arm_a[i], f) + couple);
       put(l.couple_b, i, -cross(s.arm_b[i], f) - couple);
     }
     store(n, s);
+    if (lingers_) let_go(n, s);
   }
 
   contact::Body body_of(std::uint32_t i) const {
@@ -205,8 +247,7 @@ class ForcePass {
   const KernelSet& set_;
   double dt_;
   contact::Options wanted_{.overlap_only = true, .patch = true};
-  contact::LawOptions options_;
-  bool hertz_ = true;
+  bool staged_ = false, lingers_ = false;
   const contact::Lattice* lattice_ = nullptr;  // null: bodies have no images
   std::vector<WallFrame> walls_;
 };

@@ -47,7 +47,7 @@ class PairPass : public ForcePass {
     else
       set_.sphere_clearance(p_.motion.data(), a, b, count, s.clearance);
     for (std::size_t r = 0; r < count; ++r) {
-      const bool touches = s.clearance[r] < 0;
+      const bool touches = s.clearance[r] < 0 || may_hold(records[r]);
       s.entry[n] = static_cast<std::uint32_t>(r);
       n += touches ? 1 : 0;
       if (touches != (c_.touching[records[r]] != 0)) {  // seldom
@@ -78,12 +78,19 @@ class PairPass : public ForcePass {
       for (std::size_t i = 0; i < n; ++i)
         if (dot(get(l.history_normal, i), get(l.normal, i)) < 0) s.through.push_back(s.record[i]);
     }
-    run_law(l, n, false);
+    if (staged_)
+      for (std::size_t i = 0; i < n; ++i) put(l.relative_spin, i, get(s.spheres.spin_a, i) - get(s.spheres.spin_b, i));
+    run_law(n, false, s);
     set_.sphere_torques(s.spheres, l, n);
+    if (world_.law.rolls) {
+      for (std::size_t i = 0; i < n; ++i) {
+        const Vec3d moment = get(s.work.moment, i);
+        put(l.couple, i, get(l.couple, i) + moment);
+        put(l.couple_b, i, get(l.couple_b, i) - moment);
+      }
+    }
     store(n, s);
-    // The squares said touching, the root may round to no overlap.
-    for (std::size_t i = 0; i < n; ++i)
-      if (!(l.history_overlap[i] > 0)) forget(s.record[i], s);
+    let_go(n, s);  // the squares said touching, the root may round to no overlap
     t.candidates = count;
     t.touching = n;
     t.by_spheres = count - n;
@@ -102,7 +109,7 @@ class PairPass : public ForcePass {
       const Motion& a = p_.motion[c_.index_a[k]];
       const Vec3d m = walls_[w].normal;
       const double height = dot(m, a.position - wall.position), overlap = a.bounding_radius - height;
-      if (!(overlap > 0)) {
+      if (!(overlap > 0) && !may_hold(k)) {
         forget(k, s);
         continue;
       }
@@ -115,20 +122,14 @@ class PairPass : public ForcePass {
       l.turn[n] = 0.5 * dot(a.spin + wall.spin, normal);
       l.radius_eff[n] = a.bounding_radius;
       l.mass_eff[n] = 1 / a.inverse_mass;
+      put(l.relative_spin, n, a.spin - wall.spin);
       load_pair(n, bin.pair[first + r], s);
       s.arm_a[n] = lever;
       s.arm_b[n] = wall_arm;
       begin(k, s);
       s.record[n++] = static_cast<std::uint32_t>(k);
     }
-    load_histories(n, s);
-    run_law(l, n, false);
-    for (std::size_t i = 0; i < n; ++i) {
-      const Vec3d f = get(l.force, i);
-      put(l.couple, i, cross(s.arm_a[i], f));
-      put(l.couple_b, i, -cross(s.arm_b[i], f));
-    }
-    store(n, s);
+    finish(n, false, s);
     t.candidates = count;
     t.touching = n;
     t.by_spheres = count - n;
@@ -155,7 +156,7 @@ class PairPass : public ForcePass {
     std::size_t asked = 0, n = 0;
     for (std::size_t r = 0; r < count; r += step) {
       const std::size_t k = records[r];
-      if (!c_.travel.empty() && c_.travel[a[r]] + travel_of_partner(k) < c_.apart_until[k]) continue;
+      if (!c_.travel.empty() && c_.travel[a[r]] + travel_of_partner(k) < c_.apart_until[k] && !may_hold(k)) continue;
       s.entry[asked] = static_cast<std::uint32_t>(r);
       s.index_a[asked] = a[r];
       s.index_b[asked++] = c_.key[k].b >= wall_base ? a[r] : b[r];  // a wall has no bounding sphere
@@ -179,7 +180,7 @@ class PairPass : public ForcePass {
         const double reach = m.bounding_radius + p_.motion[b[r]].bounding_radius;
         gap = std::sqrt(s.clearance[i] + reach * reach) - reach;
       }
-      if (!(gap > 0)) {
+      if (!(gap > 0) || may_hold(k)) {
         s.entry[n++] = r;
         continue;
       }
@@ -228,7 +229,8 @@ class PairPass : public ForcePass {
       if (!bin.regions) c_.cache[k] = s.cache[i];
       const bool refused = q.status == contact::Status::refused;
       if (refused || q.status == contact::Status::not_converged) ++t.not_converged;
-      if (refused || !overlap(q)) {
+      const bool apart = refused || !overlap(q);
+      if (apart && (refused || bin.regions || !may_hold(k))) {
         forget(k, s);
         if (bin.regions || !bin.exact || !q.certified || !(q.gap_lower > 0)) continue;
         if (q.iterations == 0 && !(q.gap_upper < infinity)) ++t.by_axis;
@@ -239,10 +241,12 @@ class PairPass : public ForcePass {
       if (q.handed_over) ++t.handed_over;
       load_pair(n, bin.pair[first + r], s);
       const bool wall = c_.key[k].b >= wall_base;
+      // Across a gap there is no patch: the force acts midway.
+      const contact::Patch patch = apart ? contact::Patch{.centre = 0.5 * (q.point_a + q.point_b)} : q.patch;
       gather(k, n,
-             {-q.gap, q.normal, q.patch.centre, q.patch.spread, s.offset[i], s.a[i].rotation, s.b[i].rotation,
+             {-q.gap, q.normal, patch.centre, patch.spread, s.offset[i], s.a[i].rotation, s.b[i].rotation,
               p_.motion[c_.index_a[k]].equivalent_radius, wall ? 0 : p_.motion[c_.index_b[k]].equivalent_radius,
-              q.patch.centre},
+              patch.centre},
              s);
       // Sharp edges turn a normal by more than a right angle, regions change places.
       if (!bin.regions && dot(c_.history[k].normal, q.normal) < -0.9)
@@ -326,6 +330,13 @@ void relist(Contacts& c, std::uint32_t k) {
   };
   body(c.index_a[k]);
   if (c.key[k].b < wall_base) body(c.index_b[k]);
+}
+
+// What the contacts that have ended lost, in the order of their records.
+void book_lost(World& world, std::vector<Change>& changed) {
+  std::sort(changed.begin(), changed.end(), [&](const Change& x, const Change& y) { return x.record < y.record; });
+  for (const Change& c : changed)
+    for (std::size_t m = 0; m < contact::mechanism_count; ++m) world.balance.lost[m].add(c.lost[m]);
 }
 
 }  // namespace
@@ -422,6 +433,7 @@ void compute_forces(World& world, int threads, double dt) {
     }
   }
   for (const Change& c : changed) relist(world.contacts, c.record);
+  if (!world.contacts.ledger.empty()) book_lost(world, changed);
   if (dt > 0) {
     check_passages(world, through);
     check_impacts(world, changed);

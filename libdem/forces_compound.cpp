@@ -246,7 +246,8 @@ void CompoundPass::act(Working& w, Scratch& s, Tally& t) const {
             m.of_a.radius, m.of_b.radius, m.contact.common_centre},
            s);
     // Springs and dashpots of a share of the contact: the dashpot goes with sqrt(stiffness · mass).
-    for (auto* lane : {&l.young_eff, &l.shear_eff, &l.stiffness_n, &l.stiffness_t, &l.mass_eff}) (*lane)[n] *= share;
+    contact::each_extensive_parameter(l.pair, [&](contact::kernels::Lane& lane) { lane[n] *= share; });
+    l.mass_eff[n] *= share;
     c_.share[m.record] = share;
     begin(m.record, s);
     s.record[n] = m.record;

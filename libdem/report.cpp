@@ -66,14 +66,29 @@ Energies energies(const World& world) {
     e.potential -= p.mass[i] * dot(world.scene.gravity, m.position);
   }
   // Elastic energy of the normal springs and of the tangential ones at their present stiffness.
-  const double share = world.scene.law.name == LawName::hertz_mindlin ? 4.0 / 15.0 : 0.5;  // of kn δ²
+  const double share = world.law.hertzian ? 4.0 / 15.0 : 0.5;  // of kn δ²
   for (const std::uint32_t k : touching_by_key(c)) {
+    if (c.words > 0) {  // laws in stages leave their energy
+      e.elastic += c.memory[(k + 1) * c.words - 1];
+      continue;
+    }
     const contact::History& h = c.history[k];
     const Stiffness s = contact_stiffness(world, k);
     e.elastic += share * s.n * h.overlap * h.overlap;
     if (s.t > 0) e.elastic += 0.5 * dot(h.force_t, h.force_t) / s.t;
   }
   return e;
+}
+
+std::array<double, contact::mechanism_count> dissipated(const World& world) {
+  const Contacts& c = world.contacts;
+  auto lost = world.balance.lost;
+  if (!c.ledger.empty())
+    for (const std::uint32_t k : touching_by_key(c))
+      for (std::size_t m = 0; m < lost.size(); ++m) lost[m].add(c.ledger[k].lost[m]);
+  std::array<double, contact::mechanism_count> sum{};
+  for (std::size_t m = 0; m < lost.size(); ++m) sum[m] = lost[m].value();
+  return sum;
 }
 
 Vec3d momentum(const World& world) {
@@ -125,6 +140,7 @@ std::uint64_t state_hash(const World& world) {
     add(c.key[k].part);
     if (c.key[k].part_a != 0) add(c.key[k].part_a);
     add(c.history[k]);
+    for (std::size_t j = 0; j < c.words; ++j) add(c.memory[k * c.words + j]);
   }
   return hash;
 }

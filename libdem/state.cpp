@@ -141,6 +141,16 @@ std::vector<std::uint8_t> save_state(const World& world) {
       kept.push_back({c.key[k], c.index_a[k], c.index_b[k], c.history[k], c.slot[k],
                       c.centre.empty() ? Vec3d{} : c.centre[k], c.share.empty() ? 1 : c.share[k]});
   w.list(kept);
+  std::vector<double> memory;
+  std::vector<contact::Ledger> ledger;
+  for (std::size_t k = 0; k < c.count(); ++k) {
+    if (c.touching[k] == 0) continue;
+    const auto first = c.memory.begin() + static_cast<std::ptrdiff_t>(k * c.words);
+    memory.insert(memory.end(), first, first + static_cast<std::ptrdiff_t>(c.words));
+    if (!c.ledger.empty()) ledger.push_back(c.ledger[k]);
+  }
+  w.list(memory);
+  w.list(ledger);
   return std::move(w.bytes);
 }
 
@@ -174,6 +184,10 @@ void load_state(World& world, const std::vector<std::uint8_t>& bytes) {
   }
   std::vector<Kept> kept;
   r.list(kept);
+  std::vector<double> memory;
+  std::vector<contact::Ledger> ledger;
+  r.list(memory);
+  r.list(ledger);
   r.done();
   // The touching contacts alone are a list that output can read; the next step makes the full one.
   Contacts& c = world.contacts = {};
@@ -188,6 +202,9 @@ void load_state(World& world, const std::vector<std::uint8_t>& bytes) {
     c.centre.push_back(k.centre);
     if (parts) c.share.push_back(k.share);
   }
+  c.words = kept.empty() ? 0 : memory.size() / kept.size();
+  c.memory = std::move(memory);
+  c.ledger = std::move(ledger);
 }
 
 }  // namespace dem

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <limits>
 
-#include "libcontact/laws/list.h"
 #include "libdem/build.h"
 #include "libdem/insertion/rain.h"
 #include "libdem/parts.h"
@@ -42,16 +41,10 @@ double limit_of(double omega_squared, double beta) {
 }
 
 // β of the damping as the law applies it: cn = 2 β' sqrt(m* kn), with sqrt(5/6) for Hertz.
-double law_beta(const World& world, const PairParameters& q) {
-  const bool hertz = world.scene.law.name == LawName::hertz_mindlin;
-  return q.damping * (0.5 * (hertz ? contact::Hertz::damping_factor : contact::Linear::damping_factor));
-}
+double law_beta(const World& world, const PairParameters& q) { return world.law.damping_ratio(q); }
 
-// At an overlap; (9.7), (9.16) for Hertz–Mindlin.
 Stiffness stiffness_at(const World& world, const PairParameters& q, double radius_eff, double overlap) {
-  if (world.scene.law.name == LawName::spring_dashpot) return {q.stiffness_n, q.stiffness_t};
-  const double a = std::sqrt(radius_eff * overlap);
-  return {2 * q.young_eff * a, 8 * q.shear_eff * a};
+  return world.law.stiffness(q, world.law_options, radius_eff, overlap);
 }
 
 const PairParameters& pair_of(const World& world, std::size_t k) {

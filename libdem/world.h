@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "libcontact/contact.h"
+#include "libcontact/laws/ledger.h"
+#include "libcontact/laws/model.h"
 #include "libdem/accumulator.h"
 #include "libdem/cell.h"
 #include "libdem/contacts.h"
@@ -88,6 +90,8 @@ struct Balance {                                 // momentum and energy book-kee
   Accumulator present;                                           // mass of the bodies present, kg
   double removed_mass = 0, inserted_mass = 0, initial_mass = 0;  // kg; recycling neither removes nor inserts mass
   std::uint64_t inserted_count = 0;
+  // Work of the contacts that are over, by mechanism, J; of law.ledger.
+  std::array<Accumulator, contact::mechanism_count> lost{};
 };
 
 struct OutletRecord {
@@ -136,6 +140,8 @@ struct World {
   std::vector<ShapeEntry> shapes;
   std::vector<Material> materials;
   std::vector<PairParameters> pairs;  // materials², row-major: how i meets j
+  contact::LawModel law;
+  contact::LawOptions law_options;
   Particles particles;
   std::vector<Wall> walls;
   Contacts contacts;
@@ -194,9 +200,12 @@ const std::string& species_name(const World& world, std::uint32_t species);
 std::vector<std::uint32_t> order_by_id(const World& world);
 
 struct Energies {  // J
-  double translational = 0, rotational = 0, potential = 0, elastic = 0;
+  double translational = 0, rotational = 0, potential = 0;
+  double elastic = 0;  // of the contacts, adhesive included (< 0)
 };
 Energies energies(const World& world);
+// What contacts have lost up to now, J, by mechanism; zeros without law.ledger.
+std::array<double, contact::mechanism_count> dissipated(const World& world);
 Vec3d momentum(const World& world);                // kg m/s
 double contacts_per_particle(const World& world);  // touching pairs without walls, divided by particles
 std::uint64_t state_hash(const World& world);

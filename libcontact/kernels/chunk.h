@@ -11,6 +11,7 @@
 #include "libcontact/kernels/lattice.h"
 #include "libcontact/kernels/pair_chunks.h"
 #include "libcontact/kernels/records.h"
+#include "libcontact/laws/law.h"
 
 namespace contact::kernels {
 
@@ -41,9 +42,8 @@ struct LawChunk {
   Lane3 velocity;  // of a relative to b at the centre of contact, m/s (spheres: in: of the centres)
   Lane turn;       // ½(ω_a + ω_b)·n, rad/s
   Lane radius_eff, mass_eff;
-  // pair parameters
-  Lane young_eff, shear_eff, stiffness_n, stiffness_t, friction, damping;
-  // history, in and out
+  PairOf<Lane> pair;
+  // history, in and out; overlap > 0 once a contact touches, < 0 when it is bonded across a gap
   Lane3 history_force, history_normal;
   Lane history_overlap, history_twist;
   // patch: second moments about its centre and the relative spin ω_a − ω_b
@@ -79,12 +79,15 @@ struct Total {
 // Adds the slots of one particle in the order of its list (entry = record · 2 + (1 when the particle is b)).
 using SumKernel = void (*)(const Slot* slot, const Index* active, std::size_t count, Total& total);
 
+struct StageSet;  // stages.h: any law of each family
+
 struct KernelSet {
   const char* name;                                     // sse2, avx2, avx512
   SphereKernel spheres;                                 // before the law
   SphereTorqueKernel sphere_torques;                    // after it
   LawKernel hertz_mindlin, spring_dashpot;              // point contacts
   LawKernel hertz_mindlin_patch, spring_dashpot_patch;  // contacts over a patch
+  const StageSet* stages;
   ClearanceKernel sphere_clearance;
   GatherKernel gather_spheres;
   PeriodicClearanceKernel periodic_clearance;

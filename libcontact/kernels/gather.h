@@ -23,5 +23,7 @@ bool sphere_pairs(const SphereRow* spheres, const Index* a, const Index* b, std:
 void ellipsoid_proofs(EllipsoidChunk& chunk, std::size_t count);
 void ellipsoid_search(EllipsoidChunk& chunk, std::size_t count, bool stop_at_proof, double tolerance);
 
+const StageSet& stage_set();
+
 }  // namespace KERNEL_SET
 }  // namespace contact::kernels

@@ -3,32 +3,13 @@
 #include "libcontact/kernels/extreme_sets.h"
 #include "libcontact/kernels/gather.h"
 #include "libcontact/kernels/law_kernel.h"
+#include "libcontact/kernels/stages.h"
 #include "libcontact/laws/normal/hertz.h"
 #include "libcontact/laws/normal/linear.h"
 
 namespace contact::kernels {
 inline namespace KERNEL_SET {
 namespace {
-
-struct HertzMindlin {
-  static NormalForce<Pack> normal(const LawChunk& c, std::size_t i, const Kinematics<Pack>& k, const Pack& least) {
-    return Hertz::update<Pack>({load(c.young_eff, i), load(c.damping, i), least}, k);
-  }
-  static Pack stiffness_t(const LawChunk& c, std::size_t i, const NormalForce<Pack>& f) {
-    return Pack(8) * load(c.shear_eff, i) * f.contact_radius;  // (9.16)
-  }
-  using Normal = Hertz;
-  static constexpr bool shrinks = true;
-};
-
-struct SpringDashpot {
-  static NormalForce<Pack> normal(const LawChunk& c, std::size_t i, const Kinematics<Pack>& k, const Pack& least) {
-    return Linear::update<Pack>({load(c.stiffness_n, i), load(c.damping, i), least}, k);
-  }
-  static Pack stiffness_t(const LawChunk& c, std::size_t i, const NormalForce<Pack>&) { return load(c.stiffness_t, i); }
-  using Normal = Linear;
-  static constexpr bool shrinks = false;
-};
 
 // Overlap, normal and contact-point velocity of sphere pairs; the contact point is midway in the overlap.
 bool spheres(const SphereChunk& s, LawChunk& c, std::size_t count) {
@@ -66,23 +47,24 @@ void sphere_torques(const SphereChunk& s, LawChunk& c, std::size_t count) {
 const KernelSet& kernel_set() {
 #define KERNEL_NAME_(x) #x
 #define KERNEL_NAME(x) KERNEL_NAME_(x)
-  static constexpr KernelSet set{KERNEL_NAME(KERNEL_SET),
-                                 spheres,
-                                 sphere_torques,
-                                 law_kernel<HertzMindlin, false>,
-                                 law_kernel<SpringDashpot, false>,
-                                 law_kernel<HertzMindlin, true>,
-                                 law_kernel<SpringDashpot, true>,
-                                 sphere_clearance,
-                                 gather_spheres,
-                                 periodic_clearance,
-                                 periodic_gather,
-                                 load_history,
-                                 store_history,
-                                 store_slots,
-                                 sum_slots,
-                                 {sphere_pairs, ellipsoid_proofs, ellipsoid_search},
-                                 {lowest, lowest_two}};
+  static const KernelSet set{KERNEL_NAME(KERNEL_SET),
+                             spheres,
+                             sphere_torques,
+                             law_kernel<Hertz, false>,
+                             law_kernel<Linear, false>,
+                             law_kernel<Hertz, true>,
+                             law_kernel<Linear, true>,
+                             &stage_set(),
+                             sphere_clearance,
+                             gather_spheres,
+                             periodic_clearance,
+                             periodic_gather,
+                             load_history,
+                             store_history,
+                             store_slots,
+                             sum_slots,
+                             {sphere_pairs, ellipsoid_proofs, ellipsoid_search},
+                             {lowest, lowest_two}};
   return set;
 }
 

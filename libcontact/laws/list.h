@@ -1,5 +1,5 @@
-// The lists of force laws, one per family, and the classical combinations that have names. Scene keywords, the stages of
-// the kernels, the catalogue and the property tests are made from them.
+// The lists of force laws, one per family, and the classical combinations that have names. Scene keywords, the stages
+// of the kernels, the catalogue and the property tests are made from them.
 #pragma once
 
 #include <string_view>
@@ -21,21 +21,31 @@ using CohesionLaws = std::tuple<NoCohesion>;
 // f(Law{}, i) for every law of a list.
 template <class List, class F>
 constexpr void each_law(F&& f) {
-  [&]<std::size_t... i>(std::index_sequence<i...>) {
-    (f(std::tuple_element_t<i, List>{}, i), ...);
-  }(std::make_index_sequence<std::tuple_size_v<List>>{});
+  [&]<std::size_t... i>(std::index_sequence<i...>) { (f(std::tuple_element_t<i, List>{}, i), ...); }
+  (std::make_index_sequence<std::tuple_size_v<List>>{});
 }
 
 struct NamedLaw {
   std::string_view name, normal, tangential, rolling, cohesion;
-  bool damped;  // reads `restitution`
+  bool damped;    // reads `restitution`
+  bool hertzian;  // stiffness from moduli
   std::string_view remark;
 };
 
 inline constexpr NamedLaw named_laws[] = {
-    {"linear_spring", "linear", "coulomb_spring", "none", "none", false, "(9.20)-(9.23), no dashpots"},
-    {"spring_dashpot", "linear", "coulomb_spring", "none", "none", true, "(9.24)-(9.28)"},
-    {"hertz_mindlin", "hertz", "coulomb_spring", "none", "none", true, "(9.6), (9.7), (9.16), no micro-slip"},
+    {"linear_spring", "linear", "coulomb_spring", "none", "none", false, false, "(9.20)-(9.23), no dashpots"},
+    {"spring_dashpot", "linear", "coulomb_spring", "none", "none", true, false, "(9.24)-(9.28)"},
+    {"hertz_mindlin", "hertz", "coulomb_spring", "none", "none", true, true, "(9.6), (9.7), (9.16), no micro-slip"},
+};
+
+// Laws that need more of their partner than every one gives: the normal laws that they work with.
+struct Partners {
+  std::string_view law, normal;
+};
+inline constexpr Partners partners[] = {
+    {"memory_diagram", "hertz, viscoelastic_hertz"},
+    {"mindlin_deresiewicz", "hertz, viscoelastic_hertz"},
+    {"thornton_peeling", "jkr"},
 };
 
 }  // namespace contact

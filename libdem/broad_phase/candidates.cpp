@@ -212,6 +212,14 @@ void fill_bins(World& world) {
   c.centre.resize(all_spheres && !compounds ? 0 : c.count());
 }
 
+// Room for what the laws remember; the fused kernels need none.
+void prepare_memory(World& world) {
+  Contacts& c = world.contacts;
+  c.words = world.law.fused() && !world.scene.law.ledger ? 0 : world.law.words + 1;
+  c.memory.assign(c.history.size() * c.words, 0);
+  if (world.scene.law.ledger) c.ledger.assign(c.history.size(), {});
+}
+
 bool moved(const World& world, double half) {
   for (std::size_t i = 0; i < world.particles.count(); ++i) {
     const Vec3d d = world.particles.motion[i].position - world.contacts.reference[i];
@@ -279,6 +287,7 @@ void rebuild_candidates(World& world, int threads) {
   c.history.resize(total);
   c.touching.resize(total);
   c.slot.resize(total);
+  prepare_memory(world);
   std::vector<contact::Cache> cache(total);
   std::vector<Vec3d> centre(old.centre.empty() ? 0 : total);  // regions are known again by theirs
   std::size_t k = 0, o = 0;
@@ -292,6 +301,9 @@ void rebuild_candidates(World& world, int threads) {
       if (o < old.count() && old.key[o] == record.key) {
         c.history[k] = old.history[o];
         c.touching[k] = old.touching[o];
+        std::copy_n(old.memory.begin() + static_cast<std::ptrdiff_t>(o * old.words), old.words,
+                    c.memory.begin() + static_cast<std::ptrdiff_t>(k * c.words));
+        if (!old.ledger.empty()) c.ledger[k] = old.ledger[o];
         if (!old.cache.empty()) cache[k] = old.cache[o];
         if (!old.centre.empty()) centre[k] = old.centre[o];
       }

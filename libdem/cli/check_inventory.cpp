@@ -70,9 +70,8 @@ void print_bodies(const World& world) {
 void print_materials(const World& world) {
   head("materials");
   for (const MaterialSpec& m : world.scene.materials) {
-    std::string text = world.scene.law.name == LawName::hertz_mindlin
-                           ? fmt::format("young {:.4g} Pa, poisson {:.4g}", m.young, m.poisson)
-                           : fmt::format("stiffness {:.4g} N/m", m.stiffness);
+    std::string text = world.law.hertzian ? fmt::format("young {:.4g} Pa, poisson {:.4g}", m.young, m.poisson)
+                                          : fmt::format("stiffness {:.4g} N/m", m.stiffness);
     if (m.rigid) text = "rigid";
     line(m.name, fmt::format("{}, density {:.4g} kg/m^3, restitution {:.4g}, friction {:.4g}", text, m.density,
                              m.restitution, m.friction));

@@ -10,6 +10,7 @@
 #include "libcontact/methods/polygon_regions.h"
 #include "libdem/cli/check_parts.h"
 #include "libdem/detection.h"
+#include "libdem/laws_of_scene.h"
 #include "libdem/parts.h"
 #include "libdem/render/render.h"
 #include "libdem/scene/format_words.h"
@@ -67,7 +68,7 @@ std::set<shapes::Kind> kinds_in_contact(const World& world) {
 
 void print_law(const World& world) {
   const LawSpec& law = world.scene.law;
-  const bool hertz = law.name == LawName::hertz_mindlin;
+  const contact::LawNames names = law_names(law);
   // Pairs of materials that can meet in this scene: those of two bodies, or of a body and a wall.
   const std::size_t n = world.materials.size();
   std::set<std::uint32_t> bodies(world.particles.material.begin(), world.particles.material.end()), all = bodies;
@@ -86,11 +87,19 @@ void print_law(const World& world) {
     return some == pairs ? fmt::format("on ({})", what)
                          : fmt::format("on ({}) in {} of {} pairs of materials", what, some, pairs);
   };
-  line("normal force", hertz ? "Hertz" : "linear spring");
+  line("law", law_title(law));
+  line("normal force", names.normal);
   if (rough == 0)
     line("tangential", "off: without friction nothing holds it");
   else
-    line("tangential", hertz ? fmt::format("Mindlin, no slip, rescale {}", law.rescale) : "linear spring");
+    line("tangential",
+         world.law.hertzian ? fmt::format("{}, rescale {}", names.tangential, law.rescale) : names.tangential);
+  line("rolling, twisting", names.rolling == "none" ? "off: no law named" : names.rolling);
+  line("cohesion",
+       names.cohesion == "none" ? world.law.lingers ? "of the normal law" : "off: no law named" : names.cohesion);
+  line("memory", world.law.fused() && !law.ledger
+                     ? std::string("64 bytes per contact, in one fused kernel")
+                     : fmt::format("{} bytes per contact, one kernel per law", 64 + 8 * (world.law.words + 1)));
   line("friction", share(rough, "Coulomb", "off: every pair of materials has friction 0"));
   line("damping",
        share(damped, law.clip ? "dashpot, contacts end at zero force" : "dashpot, contacts end at zero overlap",

@@ -6,6 +6,7 @@
 
 #include "libcontact/dispatch.h"
 #include "libcontact/laws/list.h"
+#include "libcontact/laws/model.h"
 #include "libdem/cli/commands.h"
 #include "libdem/scene/data_files.h"
 #include "libdem/scene/material_library.h"
@@ -79,23 +80,37 @@ Json pairs_json() {
   return out;
 }
 
-template <class Law>
-Json law_json() {
-  Json keys = Json::array();
-  for (const Key& key : find_key("law")->section->keys)
-    if (std::find(key.selected.begin(), key.selected.end(), Law::name) != key.selected.end()) keys.push_back(key.name);
-  return {{"name", Law::name},
-          {"normal", Law::Normal::name},
-          {"tangential", Law::Tangential::name},
-          {"material", Law::parameters},
-          {"keys", keys},
-          {"history_bytes", sizeof(contact::History)},
-          {"remark", Law::remark},
-          {"source", Law::source}};
+// A law of one family; `beside`: words of its memory that are elsewhere.
+template <class List>
+void add_laws(const char* family, std::size_t beside, Json& out) {
+  contact::each_law<List>([&](auto law, std::size_t) {
+    const std::size_t words = contact::state_words<decltype(law)>;
+    out.push_back({{"family", family},
+                   {"name", law.name},
+                   {"material", law.parameters},
+                   {"memory_bytes", 8 * (words - std::min(words, beside))},
+                   {"remark", law.remark},
+                   {"source", law.source}});
+  });
 }
 
 Json laws_json() {
-  return std::apply([](auto... law) { return Json::array({law_json<decltype(law)>()...}); }, contact::Laws{});
+  Json out = Json::array();
+  for (const contact::NamedLaw& l : contact::named_laws) {
+    const auto model = contact::law_model(*contact::named_law(l.name));
+    out.push_back({{"family", "combination"},
+                   {"name", l.name},
+                   {"material", fmt::format("{} + {}, rolling {}, cohesion {}{}", l.normal, l.tangential, l.rolling,
+                                            l.cohesion, l.damped ? "" : "; no restitution")},
+                   {"memory_bytes", 8 * model->words},
+                   {"remark", l.remark},
+                   {"source", ""}});
+  }
+  add_laws<contact::NormalLaws>("normal", 0, out);
+  add_laws<contact::TangentialLaws>("tangential", 3, out);
+  add_laws<contact::RollingLaws>("rolling", 0, out);
+  add_laws<contact::CohesionLaws>("cohesion", 0, out);
+  return out;
 }
 
 Json keys_json() {

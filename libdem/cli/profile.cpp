@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "libcontact/laws/list.h"
 #include "libdem/cli/progress.h"
 #include "libdem/detection.h"
+#include "libdem/laws_of_scene.h"
 
 namespace dem::cli {
 namespace {
@@ -50,8 +50,7 @@ void candidates(const std::string& pair, const char* method, const Tally& t) {
 
 void print_profile(const World& world, int threads) {
   phases(world.times);
-  fmt::print("\nlaw {}\n", world.scene.law.name == LawName::hertz_mindlin ? contact::HertzMindlin::name
-                                                                          : contact::SpringDashpot::name);
+  fmt::print("\nlaw {}\n", law_title(world.scene.law));
   fmt::print("{:<36} {:<18} {:>8} {:>10} {:>8} {:>6} {:>7} {:>9} {:>8} {:>13} {:>11} {:>11}\n", "pair", "method",
              "asked", "% way", "% ball", "% axis", "% apart", "% touching", "ns", "ns / contact", "uncertified",
              "handed over");

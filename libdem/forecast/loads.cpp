@@ -231,7 +231,7 @@ Loads expected_loads(const World& world) {
 
 std::vector<PairForecast> pair_forecasts(const World& world, const std::vector<BodyGroup>& groups, const Loads& loads) {
   const Particles& p = world.particles;
-  const bool hertz = world.scene.law.name == LawName::hertz_mindlin;
+  const bool hertz = world.law.hertzian;
   double pressure = 0;
   for (const Pressure& q : loads.pressures) pressure = std::max(pressure, q.value);
   std::vector<PairForecast> list;

@@ -35,6 +35,8 @@ World emptied(const World& world) {
   w.shapes = world.shapes;
   w.materials = world.materials;
   w.pairs = world.pairs;
+  w.law = world.law;
+  w.law_options = world.law_options;
   w.skin = world.skin;
   w.time_step = world.time_step;
   return w;

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "libcontact/dispatch.h"
-#include "libcontact/laws/mix.h"
 #include "libdem/scene/data_files.h"
 #include "libdem/scene/nearest.h"
 #include "libdem/scene/reader.h"
@@ -51,6 +50,7 @@ class Rules : RuleContext {
     for (std::size_t i = 0; i < scene.walls.size(); ++i) check_wall_rules(*this, i);
     check_insertion_rules(*this);
     check_periodic_rules(*this);
+    check_law_rules(*this);
     pairs();
     particles();
     for (std::size_t i = 0; i < scene.materials.size(); ++i) material(i);
@@ -132,19 +132,7 @@ class Rules : RuleContext {
       const auto [low, high] = std::minmax(scene.pairs[i].a, scene.pairs[i].b);
       if (!seen.insert({low, high}).second)
         wrong("material_pair", i, "a", fmt::format("the pair {}, {} stands here twice", low, high));
-      restitution("material_pair", i, scene.pairs[i].restitution);
-      if (scene.law.name == LawName::hertz_mindlin && node("material_pair", i, "stiffness"))
-        wrong("material_pair", i, "stiffness", "law hertz_mindlin takes the stiffness from young and poisson");
     }
-  }
-
-  // A clipped contact always rebounds, and the step goes to zero with the restitution (libcontact/laws/mix.h).
-  void restitution(const char* table, std::size_t i, double e) {
-    if (scene.law.clip && e < contact::least_clipped_restitution)
-      wrong(table, i, "restitution",
-            fmt::format("allowed {0} <= {1}.restitution <= 1: a contact that ends at zero force always rebounds; with "
-                        "law.clip = false, which lets the dashpot pull until the overlap is zero, from 0",
-                        contact::least_clipped_restitution, table));
   }
 
   void particles() {
@@ -160,12 +148,6 @@ class Rules : RuleContext {
 
   void material(std::size_t i) {
     const MaterialSpec& m = scene.materials[i];
-    const bool hertz = scene.law.name == LawName::hertz_mindlin;
-    restitution("material", i, m.restitution);
-    if (hertz && !m.rigid && m.young == 0)
-      wrong("material", i, nullptr, fmt::format("\"{}\" needs young (Pa) for law hertz_mindlin", m.name));
-    if (!hertz && !m.rigid && m.stiffness == 0)
-      wrong("material", i, nullptr, fmt::format("\"{}\" needs stiffness (N/m) for law spring_dashpot", m.name));
     if (m.density == 0 && used_.contains(m.name))
       wrong("material", i, nullptr, fmt::format("\"{}\" needs density (kg/m^3): bodies are made of it", m.name));
   }

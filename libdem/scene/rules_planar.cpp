@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "libcontact/laws/list.h"
 #include "libdem/scene/reader.h"
 
 namespace dem {
@@ -125,8 +126,8 @@ class PlanarRules {
   }
 
   void law() {
-    if (scene_.disc_model == DiscModel::prism && scene_.law.name == LawName::hertz_mindlin &&
-        scene_.law.map == LawMap::automatic)
+    if (scene_.disc_model == DiscModel::prism &&
+        contact::named_laws[static_cast<std::size_t>(scene_.law.name)].hertzian && scene_.law.map == LawMap::automatic)
       wrong("law", 0, "name",
             "is a law of spheres and the bodies are prisms; allowed: spring_dashpot, or law.map = "
             "\"equivalent_radius\", or world.disc_model = \"sphere\"");

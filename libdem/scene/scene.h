@@ -48,10 +48,18 @@ struct MaterialSpec {
   double density = 0;      // kg/m³
   double restitution = 1;  // –, 1 = undamped
   double friction = 0;     // –
-  double stiffness = 0;    // N/m, law spring_dashpot only
+  double stiffness = 0;    // N/m, linear laws only
   bool rigid = false;      // out of both E* and G*
-  std::string like;        // a named material; its values are in the members above
-  std::string source;      // of the values that come from it; no key
+  // Of some laws only; contact::Material says what they are.
+  double viscous_time = 0, yield_pressure = 0, work_of_adhesion = 0;        // s, Pa, J/m²
+  double surface_energy = 0;                                                // J/m², half the work of adhesion
+  double plastic_stiffness = 0, adhesive_stiffness = 0, plastic_depth = 0;  // N/m, N/m, –
+  double rolling_friction = 0, rolling_viscosity = 0, rolling_damping = 0;  // –, s/m, –
+  double twisting_friction = 0;                                             // –
+  double cohesion = 0;                                                      // N
+  double contact_angle = 0;                                                 // rad
+  std::string like;    // a named material; its values are in the members above
+  std::string source;  // of the values that come from it; no key
   Where where;
 };
 
@@ -60,21 +68,32 @@ struct MaterialPairSpec {  // overrides what mixing would give; NaN = mixed
   double restitution = std::numeric_limits<double>::quiet_NaN();
   double friction = std::numeric_limits<double>::quiet_NaN();
   double stiffness = std::numeric_limits<double>::quiet_NaN();
+  double work_of_adhesion = std::numeric_limits<double>::quiet_NaN();
+  double rolling_friction = std::numeric_limits<double>::quiet_NaN();
+  double twisting_friction = std::numeric_limits<double>::quiet_NaN();
+  double cohesion = std::numeric_limits<double>::quiet_NaN();
   std::string published;  // name of a published friction coefficient; its value is in `friction`
   std::string source;     // of that value; no key
   Where where;
 };
 
-enum class LawName { spring_dashpot, hertz_mindlin };
+// The named combinations, in the order of contact::named_laws.
+enum class LawName { linear_spring, spring_dashpot, hertz_mindlin };
+inline constexpr std::size_t law_name_count = 3;
 
 // How a law of spheres finds its radius on other bodies.
 enum class LawMap { automatic, equivalent_radius };
 
 struct LawSpec {
   LawName name = LawName::hertz_mindlin;
+  std::string normal, tangential, rolling, cohesion;  // in place of those of the combination; empty: its own
   LawMap map = LawMap::automatic;
-  bool rescale = true;  // hertz_mindlin: shorten the tangential spring when the contact radius shrinks
-  bool clip = true;     // contacts end at zero force, else at zero overlap
+  bool rescale = true;         // shorten the tangential spring when the contact radius shrinks
+  bool clip = true;            // contacts end at zero force, else at zero overlap
+  bool deficit = true;         // mindlin_deresiewicz: remember the slip that an increment did not make
+  bool ledger = false;         // book the work of every mechanism
+  double surface_tension = 0;  // N/m, liquid bridges
+  double bridge_volume = 0;    // m³, of one bridge
 };
 
 struct PartSpec {

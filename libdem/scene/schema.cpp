@@ -120,45 +120,6 @@ std::vector<Key> output_keys() {
   };
 }
 
-std::vector<Key> material_keys() {
-  return {
-      value<&MaterialSpec::name>("name", "", "Name by which bodies and walls refer to it.").own_name(),
-      value<&MaterialSpec::like>("like", "",
-                                 "A named material whose young, poisson and density stand in for those left out here.")
-          .named_in("materials"),
-      value<&MaterialSpec::young>("young", "Pa", "Young's modulus; needed by law hertz_mindlin unless rigid.").above(0),
-      value<&MaterialSpec::poisson>("poisson", "", "Poisson's ratio.").from(0).to(0.5),
-      value<&MaterialSpec::density>("density", "kg/m^3",
-                                    "Mass density; needed where a body, not only a wall, is made of it.")
-          .above(0),
-      value<&MaterialSpec::restitution>("restitution", "", "Rebound speed over impact speed, head-on; 1 = undamped.")
-          .from(0)
-          .to(1),
-      value<&MaterialSpec::friction>("friction", "", "Coulomb friction coefficient; inf = no slip.")
-          .from(0)
-          .or_infinite(),
-      value<&MaterialSpec::stiffness>("stiffness", "N/m",
-                                      "Normal stiffness; needed by law spring_dashpot unless rigid.")
-          .above(0),
-      value<&MaterialSpec::rigid>("rigid", "", "Adds no compliance to a contact; not for two that can meet."),
-  };
-}
-
-std::vector<Key> pair_keys() {
-  return {
-      value<&MaterialPairSpec::a>("a", "", "One material.").refers("material").must(),
-      value<&MaterialPairSpec::b>("b", "", "The other one (or the same).").refers("material").must(),
-      value<&MaterialPairSpec::restitution>("restitution", "", "Replaces the mixed restitution.").from(0).to(1),
-      value<&MaterialPairSpec::friction>("friction", "", "Replaces the mixed friction.").from(0).or_infinite(),
-      value<&MaterialPairSpec::published>(
-          "published", "", "A published friction coefficient by its pair of surfaces; replaces the mixed friction.")
-          .named_in("friction"),
-      value<&MaterialPairSpec::stiffness>("stiffness", "N/m",
-                                          "Replaces the mixed normal stiffness (law spring_dashpot).")
-          .above(0),
-  };
-}
-
 std::vector<Key> shape_keys() {
   const std::vector<std::string> platonic{"tetrahedron", "cube", "octahedron", "dodecahedron", "icosahedron"};
   std::vector<std::string> kinds{"sphere",  "ellipsoid",       "disc", "ellipse",
@@ -287,22 +248,7 @@ std::shared_ptr<const Section> whole() {
                .from(0)
                .to(0.1),
            uncertified_share().from(0).to(1)}),
-      table<&Scene::law>(
-          "law", "The force law.",
-          {word<&LawSpec::name>("name", "Linear spring and dashpot, or Hertz-Mindlin.",
-                                {"spring_dashpot", "hertz_mindlin"})
-               .must(),
-           word<&LawSpec::map>(
-               "map",
-               "Radius that a law of spheres takes on other bodies; auto = that of the sphere of equal "
-               "volume, and none on prisms; equivalent_radius: on prisms that of the disc of equal area.",
-               {"auto", "equivalent_radius"}),
-           value<&LawSpec::rescale>("rescale", "", "Shorten the tangential spring when the contact radius shrinks.")
-               .when("name", {"hertz_mindlin"}),
-           value<&LawSpec::clip>("clip", "",
-                                 "A contact ends when its force is zero; false = when its overlap is: until then the "
-                                 "dashpot may pull, and restitution may be 0.")})
-          .must(),
+      table<&Scene::law>("law", "The force law.", law_keys()).must(),
       tables<&Scene::materials>("material", "A material.", material_keys()).must(),
       tables<&Scene::pairs>("material_pair", "What two materials do together, in place of the mixed values.",
                             pair_keys()),

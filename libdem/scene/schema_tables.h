@@ -9,6 +9,9 @@ namespace dem {
 
 std::vector<Key> wall_keys();         // of [[wall]]
 std::vector<Key> periodic_keys();     // of [periodic]
+std::vector<Key> law_keys();          // of [law]
+std::vector<Key> material_keys();     // of [[material]]
+std::vector<Key> pair_keys();         // of [[material_pair]]
 std::vector<Key> part_keys();         // of [[shape]], kinds clump and union
 std::vector<Key> grain_keys();        // of [[shape]], kinds generated and voronoi
 std::vector<Key> insertion_tables();  // [[region]], [[species]], [[fill]], [[rain]], [[outlet]], [[event]]

@@ -15,6 +15,12 @@ std::vector<Row> mass_ratios(const std::string&law), size_ratios(const std::stri
 
 namespace {
 
+bool hertzian(const std::string& law) {
+  for (const contact::NamedLaw& l : contact::named_laws)
+    if (l.name == law) return l.hertzian;
+  return false;
+}
+
 using Rows = std::vector<Row>;
 
 // What it rebounds with from the floor, over the speed that it came with.
@@ -81,7 +87,7 @@ Rows poisson(const std::string& law) {
                   .build();
     const PairParameters& q = w.pairs[1];  // small on floor
     const double ratio =
-        law == contact::HertzMindlin::name ? 4 * q.shear_eff / q.young_eff : q.stiffness_t / q.stiffness_n;
+        hertzian(law) ? 4 * q.shear_eff / q.young_eff : q.stiffness_t / q.stiffness_n;
     rows.push_back(right(fmt::format("nu {}: kt/kn", nu), ratio, 2 * (1 - nu) / (2 - nu), 1e-14));
     until_parted(w);
     const Motion m = motion_of(w, 0);
@@ -96,7 +102,7 @@ Rows poisson(const std::string& law) {
 
 double overlap_at_rest(const std::string& law, double factor) {  // of the ball on the floor, stiffness times factor
   const double weight = Ball::mass * earth;
-  if (law == contact::SpringDashpot::name) return weight / (factor * Ball::stiffness);
+  if (!hertzian(law)) return weight / (factor * Ball::stiffness);
   const double young_eff = factor * Ball::young / (1 - Ball::poisson * Ball::poisson);
   return std::pow(weight / (4.0 / 3.0 * young_eff * std::sqrt(Ball::radius)), 2.0 / 3.0);
 }
@@ -236,7 +242,10 @@ const std::vector<LawExtreme>& law_extremes() {
 }
 
 std::vector<std::string> law_names() {
-  return std::apply([](auto... law) { return std::vector<std::string>{decltype(law)::name...}; }, contact::Laws{});
+  std::vector<std::string> names;
+  for (const contact::NamedLaw& l : contact::named_laws)
+    if (l.damped) names.emplace_back(l.name);
+  return names;
 }
 
 extern const Validation law_extremes_entry;

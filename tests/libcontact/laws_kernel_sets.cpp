@@ -46,12 +46,12 @@ LawChunk law_chunk(unsigned seed) {
     c.turn[i] = draw.in(-50, 50);
     c.radius_eff[i] = draw.in(1e-3, 1e-2);
     c.mass_eff[i] = draw.in(1e-4, 1e-2);
-    c.young_eff[i] = draw.in(1e6, 1e9);
-    c.shear_eff[i] = 0.3 * c.young_eff[i];
-    c.stiffness_n[i] = draw.in(1e3, 1e6);
-    c.stiffness_t[i] = 0.8 * c.stiffness_n[i];
-    c.friction[i] = i % 6 == 0 ? 0 : draw.in(0.1, 1);
-    c.damping[i] = i % 4 == 0 ? 0 : draw.in(0, 1.5);
+    c.pair.young_eff[i] = draw.in(1e6, 1e9);
+    c.pair.shear_eff[i] = 0.3 * c.pair.young_eff[i];
+    c.pair.stiffness_n[i] = draw.in(1e3, 1e6);
+    c.pair.stiffness_t[i] = 0.8 * c.pair.stiffness_n[i];
+    c.pair.friction[i] = i % 6 == 0 ? 0 : draw.in(0.1, 1);
+    c.pair.damping[i] = i % 4 == 0 ? 0 : draw.in(0, 1.5);
     if (fresh) continue;
     const auto f = draw.vector(1);
     put(c.history_force, i, f - old * dot(f, old));
@@ -192,9 +192,12 @@ TEST(KernelSets, LanesAreTheScalarLaw) {
     k.slip = v - n * k.closing_speed;
     k.radius_eff = in.radius_eff[i];
     k.mass_eff = in.mass_eff[i];
-    const auto hertz = Hertz::update<double>({in.young_eff[i], in.damping[i]}, k);
-    const auto linear = Linear::update<double>({in.stiffness_n[i], in.damping[i]}, k);
-    if (in.friction[i] != 0) continue;  // with friction the tangential part adds to it
+    PairOf<double> p;
+    each_parameter(p, in.pair, [i](double& x, const Lane& lane) { x = lane[i]; });
+    NoState<double> none;
+    const auto hertz = Hertz::update(p, k, {}, none);
+    const auto linear = Linear::update(p, k, {}, none);
+    if (in.pair.friction[i] != 0) continue;  // with friction the tangential part adds to it
     EXPECT_EQ(c.force.x[i], -(n.x * hertz.force + 0.0)) << i;
     EXPECT_EQ(l.force.z[i], -(n.z * linear.force + 0.0)) << i;
   }

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "libcontact/laws/mix.h"
 #include "libcontact/laws/normal/hertz.h"
@@ -21,9 +20,19 @@ Kinematics<double> pressed(double overlap, double closing_speed = 0) {
   return k;
 }
 
+// A normal law without memory; parameter: young_eff of Hertz, stiffness_n of Linear.
+template <class Law>
+NormalForce<double> answer(double parameter, double damping, const Kinematics<double>& k, bool clip = true) {
+  PairOf<double> p;
+  p.young_eff = p.stiffness_n = parameter;
+  p.damping = damping;
+  NoState<double> none;
+  return Law::update(p, k, {.clip = clip}, none);
+}
+
 // N at depth 10 µm, R* 12.5 mm, of the sheet's micro-slip loop; E* of E = 38 GPa.
 TEST(Hertz, ForceOfAKnownContact) {
-  const auto f = Hertz::update<double>({38e9, 0.0}, pressed(10e-6));
+  const auto f = answer<Hertz>(38e9, 0.0, pressed(10e-6));
   EXPECT_NEAR(f.force, 179.134, 5e-4);
   EXPECT_NEAR(f.contact_radius, 0.353553e-3, 5e-10);
   EXPECT_EQ(f.force, f.elastic);
@@ -31,32 +40,29 @@ TEST(Hertz, ForceOfAKnownContact) {
 
 TEST(Hertz, StiffnessIsTheSlopeOfTheForceAndTheForceMinusTheSlopeOfTheEnergy) {
   const double d = 3e-5, h = 1e-9;
-  const Hertz::Pair<double> p{5e6, 0};
-  const auto force = [&](double x) { return Hertz::update<double>(p, pressed(x)).force; };
-  const auto energy = [&](double x) { return 4.0 / 15.0 * Hertz::update<double>(p, pressed(x)).stiffness * x * x; };
-  EXPECT_NEAR((force(d + h) - force(d - h)) / (2 * h), Hertz::update<double>(p, pressed(d)).stiffness, 1e-6 * 2e3);
+  const auto force = [&](double x) { return answer<Hertz>(5e6, 0, pressed(x)).force; };
+  const auto energy = [&](double x) { return 4.0 / 15.0 * answer<Hertz>(5e6, 0, pressed(x)).stiffness * x * x; };
+  EXPECT_NEAR((force(d + h) - force(d - h)) / (2 * h), answer<Hertz>(5e6, 0, pressed(d)).stiffness, 1e-6 * 2e3);
   EXPECT_NEAR((energy(d + h) - energy(d - h)) / (2 * h) / force(d), 1, 1e-7);
 }
 
 TEST(Linear, SpringAndDashpot) {
-  const auto f = Linear::update<double>({1e4, 0.1}, pressed(1e-4, 0.3));
+  const auto f = answer<Linear>(1e4, 0.1, pressed(1e-4, 0.3));
   EXPECT_DOUBLE_EQ(f.elastic, 1.0);
   EXPECT_DOUBLE_EQ(f.damping, 0.2 * std::sqrt(0.02 * 1e4));
   EXPECT_DOUBLE_EQ(f.force, 1.0 + f.damping * 0.3);
 }
 
 TEST(NormalLaws, NeverPullAndAnIdleLaneGivesNothing) {
-  EXPECT_EQ(Hertz::update<double>({5e6, 0.5}, pressed(1e-6, -10)).force, 0);
-  EXPECT_EQ(Linear::update<double>({1e4, 0.5}, pressed(1e-6, -10)).force, 0);
-  EXPECT_EQ(Hertz::update<double>({5e6, 0.5}, pressed(0, 0)).force, 0);
-  EXPECT_EQ(Linear::update<double>({1e4, 0.5}, pressed(0, 0)).force, 0);
+  EXPECT_EQ(answer<Hertz>(5e6, 0.5, pressed(1e-6, -10)).force, 0);
+  EXPECT_EQ(answer<Linear>(1e4, 0.5, pressed(1e-6, -10)).force, 0);
+  EXPECT_EQ(answer<Hertz>(5e6, 0.5, pressed(0, 0)).force, 0);
+  EXPECT_EQ(answer<Linear>(1e4, 0.5, pressed(0, 0)).force, 0);
 }
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 TEST(NormalLaws, PullAgainstASeparationWhenNotClipped) {
-  const auto hertz = Hertz::update<double>({5e6, 0.5, -infinity}, pressed(1e-6, -10));
-  const auto linear = Linear::update<double>({1e4, 0.5, -infinity}, pressed(1e-6, -10));
+  const auto hertz = answer<Hertz>(5e6, 0.5, pressed(1e-6, -10), false);
+  const auto linear = answer<Linear>(1e4, 0.5, pressed(1e-6, -10), false);
   EXPECT_DOUBLE_EQ(hertz.force, hertz.elastic - 10 * hertz.damping);
   EXPECT_DOUBLE_EQ(linear.force, linear.elastic - 10 * linear.damping);
   EXPECT_LT(hertz.force, 0);
@@ -129,10 +135,10 @@ TEST(Damping, BothLawsReboundAsAskedAtEverySpeed) {
   for (const double e : {0.9, 0.5, 0.2, 0.1})
     for (const double speed : {0.01, 1.0}) {
       const double beta = clipped_damping(e);
-      const auto linear = [&](double d, double u) { return Linear::update<double>({1e4, beta}, pressed(d, u)).force; };
+      const auto linear = [&](double d, double u) { return answer<Linear>(1e4, beta, pressed(d, u)).force; };
       EXPECT_NEAR(restitution_of(linear, 0.02, speed, 1e-7), e, 2e-5) << "linear";
       const auto hertz = [&](double d, double u) {
-        return Hertz::update<double>({5e6, beta}, pressed(std::max(d, 0.0), u)).force;
+        return answer<Hertz>(5e6, beta, pressed(std::max(d, 0.0), u)).force;
       };
       EXPECT_NEAR(restitution_of(hertz, 0.02, speed, speed < 0.1 ? 1e-6 : 4e-7), e, 2e-4) << "hertz";
     }
@@ -141,12 +147,10 @@ TEST(Damping, BothLawsReboundAsAskedAtEverySpeed) {
 TEST(Damping, BothLawsReboundAsAskedUnclipped) {
   for (const double e : {0.9, 0.5, 0.1, 0.01}) {
     const double beta = unclipped_damping(e);
-    const auto linear = [&](double d, double u) {
-      return Linear::update<double>({1e4, beta, -infinity}, pressed(d, u)).force;
-    };
+    const auto linear = [&](double d, double u) { return answer<Linear>(1e4, beta, pressed(d, u), false).force; };
     EXPECT_NEAR(restitution_of(linear, 0.02, 1, 1e-7), e, 2e-5) << "linear";
     const auto hertz = [&](double d, double u) {
-      return Hertz::update<double>({5e6, beta, -infinity}, pressed(std::max(d, 0.0), u)).force;
+      return answer<Hertz>(5e6, beta, pressed(std::max(d, 0.0), u), false).force;
     };
     EXPECT_NEAR(restitution_of(hertz, 0.02, 1, 4e-7), e, 2e-4) << "hertz";
   }

@@ -27,12 +27,12 @@ class Led {
     LawChunk& c = *chunk_;
     c.radius_eff[0] = 0.0125;
     c.mass_eff[0] = 0.02;
-    c.young_eff[0] = 38.46153846e9;
-    c.shear_eff[0] = c.young_eff[0] / (4 * 1.2142857142857142);  // κ at ν = 0.3
-    c.stiffness_n[0] = 1e7;
-    c.stiffness_t[0] = c.stiffness_n[0] / 1.2142857142857142;
-    c.friction[0] = friction;
-    c.damping[0] = damping;
+    c.pair.young_eff[0] = 38.46153846e9;
+    c.pair.shear_eff[0] = c.pair.young_eff[0] / (4 * 1.2142857142857142);  // κ at ν = 0.3
+    c.pair.stiffness_n[0] = 1e7;
+    c.pair.stiffness_t[0] = c.pair.stiffness_n[0] / 1.2142857142857142;
+    c.pair.friction[0] = friction;
+    c.pair.damping[0] = damping;
     put(c.normal, {0, 0, 1});
   }
   LawChunk& chunk() { return *chunk_; }
@@ -46,7 +46,7 @@ class Led {
   }
   double normal_force() const { return -dot(get(chunk_->force), get(chunk_->normal)); }
   double stiffness_t() const {
-    return 8 * chunk_->shear_eff[0] * std::sqrt(chunk_->radius_eff[0] * chunk_->overlap[0]);
+    return 8 * chunk_->pair.shear_eff[0] * std::sqrt(chunk_->radius_eff[0] * chunk_->overlap[0]);
   }
 
  private:
@@ -94,7 +94,7 @@ TEST(Tangential, InfiniteFrictionHoldsWhatIsPressed) {
     put(c.relative_spin, {0, 0, 1});
     contact.step(1e-5, {}, kernel, 1e3);
     const bool hertz = kernel == kernels().hertz_mindlin || kernel == kernels().hertz_mindlin_patch;
-    const double kt = hertz ? contact.stiffness_t() : c.stiffness_t[0];
+    const double kt = hertz ? contact.stiffness_t() : c.pair.stiffness_t[0];
     contact.step(1e-5, {1, 0, 0}, kernel, 1e9);
     EXPECT_NEAR(c.history_force.x[0] / kt, 1, 1e-12);
     put(c.velocity, {1, 0, -1e6});  // parts so fast that the dashpot would pull
@@ -175,7 +175,7 @@ TEST(Tangential, OnlyThePartOfTheFirstStepInContactSlips) {
   c.overlap[0] = 1e-6;
   put(c.velocity, {1, 0, 4});  // in 1 µs it closes by 4 µm: a quarter of the step in contact
   kernels().spring_dashpot(c, 1, 1e-6, {});
-  EXPECT_NEAR(-c.force.x[0], c.stiffness_t[0] * 0.25e-6, 1e-12);
+  EXPECT_NEAR(-c.force.x[0], c.pair.stiffness_t[0] * 0.25e-6, 1e-12);
 }
 
 }  // namespace

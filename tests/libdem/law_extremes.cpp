@@ -34,7 +34,11 @@ INSTANTIATE_TEST_SUITE_P(List, LawExtremes,
                            return std::get<0>(p.param) + "_" + validate::law_extremes()[std::get<1>(p.param)].name;
                          });
 
-TEST(LawList, EveryLawOfTheListIsThere) { EXPECT_EQ(validate::law_names().size(), std::tuple_size_v<contact::Laws>); }
+TEST(LawList, EveryLawWithARestitutionIsThere) {
+  EXPECT_EQ(validate::law_names().size(),
+            static_cast<std::size_t>(std::count_if(std::begin(contact::named_laws), std::end(contact::named_laws),
+                                                   [](const contact::NamedLaw& l) { return l.damped; })));
+}
 
 constexpr double radius = 0.01, stiffness = 1e4;
 const double mass = 2500 * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;

@@ -58,22 +58,20 @@ using Shapes = contact::Joined<shapes::List, std::tuple<Capsule>>;
 using Methods = contact::Joined<contact::Methods, std::tuple<CapsulePair>>;
 using Table = contact::Dispatch<Shapes, Methods>;
 
-// F = kn δ (1 + δ/R*)
-struct Hardening {
-  using Pack = shapes::Pack;
-  struct Normal {
-    static constexpr double damping_factor = 2;
-  };
-  static contact::NormalForce<Pack> normal(const contact::kernels::LawChunk& c, std::size_t i,
-                                           const contact::Kinematics<Pack>& k, const Pack&) {
-    const Pack kn = contact::kernels::load(c.stiffness_n, i), ratio = k.overlap / k.radius_eff;
-    const Pack force = kn * k.overlap * (Pack(1) + ratio);
-    return {force, force, kn * (Pack(1) + Pack(2) * ratio), Pack(0), Pack(0)};
+struct Hardening {  // F = kn δ (1 + δ/R*)
+  template <class T>
+  using State = contact::NoState<T>;
+  template <class T>
+  static contact::NormalForce<T> update(const contact::PairOf<T>& p, const contact::Kinematics<T>& k,
+                                        const contact::LawOptions&, State<T>&) {
+    const T ratio = k.overlap / k.radius_eff;
+    contact::NormalForce<T> f;
+    f.force = f.elastic = f.holding = p.stiffness_n * k.overlap * (T(1) + ratio);
+    f.stiffness = p.stiffness_n * (T(1) + T(2) * ratio);
+    f.stiffness_t = p.stiffness_t;
+    f.shrink = T(1);
+    return f;
   }
-  static Pack stiffness_t(const contact::kernels::LawChunk& c, std::size_t i, const contact::NormalForce<Pack>&) {
-    return contact::kernels::load(c.stiffness_t, i);
-  }
-  static constexpr bool shrinks = false;
 };
 
 }  // namespace host
@@ -115,7 +113,7 @@ int main() {
   for (std::size_t i = 0; i < 3; ++i) {
     lanes.overlap[i] = 0.01 * static_cast<double>(i + 1);
     lanes.normal.x[i] = 1;
-    lanes.stiffness_n[i] = 1e4;
+    lanes.pair.stiffness_n[i] = 1e4;
     lanes.radius_eff[i] = 0.1;
     lanes.mass_eff[i] = 1;
   }

@@ -59,10 +59,10 @@ int main() {
     lanes.radius_eff[i] = 0.005;
     lanes.mass_eff[i] = 0.001;
     lanes.spread_yy[i] = lanes.spread_zz[i] = static_cast<double>(i) * 1e-6;
-    lanes.young_eff[i] = pair.young_eff;
-    lanes.shear_eff[i] = pair.shear_eff;
-    lanes.friction[i] = pair.friction;
-    lanes.damping[i] = pair.damping;
+    lanes.pair.young_eff[i] = pair.young_eff;
+    lanes.pair.shear_eff[i] = pair.shear_eff;
+    lanes.pair.friction[i] = pair.friction;
+    lanes.pair.damping[i] = pair.damping;
   }
   for (int step = 1; step <= 5; ++step) {
     lanes.overlap[0] = 1e-6 * step;

@@ -2,10 +2,10 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 
 #include "libcontact/bindings/c/contact.h"
 #include "libcontact/kernels/chunk.h"
-#include "libcontact/laws/list.h"
 #include "libcontact/laws/mix.h"
 
 namespace {
@@ -17,10 +17,9 @@ using shapes::Vec3d;
 
 static_assert(sizeof(contact_history) == sizeof(contact::History));
 
-// In the order of the list.
-using Laws = std::tuple<contact::SpringDashpot, contact::HertzMindlin>;
-static_assert(std::is_same_v<Laws, contact::Laws>);
-constexpr std::uint32_t law_count = std::tuple_size_v<Laws>;
+// The laws that need no memory beside a contact_history.
+constexpr const char* law_names[] = {"spring_dashpot", "hertz_mindlin"};
+constexpr std::uint32_t law_count = std::size(law_names);
 
 contact::kernels::LawKernel kernel_of(std::uint32_t law) {
   const contact::kernels::KernelSet& set = contact::kernels::kernels();
@@ -47,12 +46,12 @@ void load(const contact_pair& p, const contact_motion& m, const contact::History
   c.turn[i] = 0.5 * dot(spin_a + spin_b, normal);
   c.radius_eff[i] = m.radius_eff;
   c.mass_eff[i] = m.mass_eff;
-  c.young_eff[i] = p.young_eff;
-  c.shear_eff[i] = p.shear_eff;
-  c.stiffness_n[i] = p.stiffness_n;
-  c.stiffness_t[i] = p.stiffness_t;
-  c.friction[i] = p.friction;
-  c.damping[i] = p.damping;
+  c.pair.young_eff[i] = p.young_eff;
+  c.pair.shear_eff[i] = p.shear_eff;
+  c.pair.stiffness_n[i] = p.stiffness_n;
+  c.pair.stiffness_t[i] = p.stiffness_t;
+  c.pair.friction[i] = p.friction;
+  c.pair.damping[i] = p.damping;
   put(c.history_force, i, h.force_t);
   put(c.history_normal, i, h.normal);
   c.history_overlap[i] = h.overlap;
@@ -67,22 +66,22 @@ void load(const contact_pair& p, const contact_motion& m, const contact::History
 }
 
 contact::Material material(const contact_material& m) {
-  return {.young = m.young,
-          .poisson = m.poisson,
-          .density = 0,
-          .restitution = m.restitution,
-          .friction = m.friction,
-          .stiffness = m.stiffness,
-          .rigid = m.rigid != 0};
+  contact::Material out;
+  out.young = m.young;
+  out.poisson = m.poisson;
+  out.restitution = m.restitution;
+  out.friction = m.friction;
+  out.stiffness = m.stiffness;
+  out.rigid = m.rigid != 0;
+  return out;
 }
 
 }  // namespace
 
 int contact_law(const char* name, uint32_t* law) {
   if (name == nullptr || law == nullptr) return CONTACT_NULL_POINTER;
-  const char* const names[] = {contact::SpringDashpot::name, contact::HertzMindlin::name};
   for (std::uint32_t i = 0; i < law_count; ++i)
-    if (std::strcmp(name, names[i]) == 0) {
+    if (std::strcmp(name, law_names[i]) == 0) {
       *law = i;
       return CONTACT_OK;
     }
@@ -112,7 +111,8 @@ int contact_law_update(uint32_t law, size_t n, const contact_pair* pairs, size_t
   contact::LawOptions wanted;
   if (options != nullptr) {
     if (options->size != sizeof(contact_law_options)) return CONTACT_BAD_SIZE;
-    wanted = {.rescale = options->rescale != 0, .clip = options->clip != 0};
+    wanted.rescale = options->rescale != 0;
+    wanted.clip = options->clip != 0;
   }
   for (std::size_t i = 0; pair_of != nullptr && i < n; ++i)
     if (pair_of[i] >= pair_count) return CONTACT_BAD_VALUE;

@@ -1,0 +1,18 @@
+// From the words of a scene to the laws that its contacts run.
+#pragma once
+
+#include "libcontact/laws/model.h"
+#include "libdem/scene/scene.h"
+
+namespace dem {
+
+// The law of each family: that of the combination, or the one named in its place.
+contact::LawNames law_names(const LawSpec& law);
+// Every name must be in its list (the schema has seen to that).
+contact::LawModel law_model_of(const LawSpec& law);
+contact::LawOptions law_options_of(const LawSpec& law);
+contact::Material material_of(const MaterialSpec& spec, const LawSpec& law);
+// Name of the combination, with the laws that stand in the place of its own: "hertz_mindlin, rolling spring".
+std::string law_title(const LawSpec& law);
+
+}  // namespace dem
