@@ -274,12 +274,15 @@ double sticking_speed(const PairParameters& p) {
 TEST(Jkr, RestitutionOfAnImpactAndSticking) {
   const PairParameters p = sticky();
   const double limit = sticking_speed(p), range = Jkr::range(p, radius_eff);
-  for (const double v : {1.1, 1.5, 2.0, 4.0}) {
-    const double dt = range / (v * limit) / 2000;
-    const auto hit = paths::impact<Jkr>(p, v * limit, dt, 0.5);
-    ASSERT_FALSE(hit.stuck);
-    EXPECT_NEAR(hit.restitution, std::sqrt(1 - 1 / (v * v)), 2e-4) << v;
-  }
+  for (const double v : {1.1, 1.5, 2.0, 4.0})
+    for (const double phase : {0.1, 0.5, 0.9}) {
+      const double exact = std::sqrt(1 - 1 / (v * v)), dt = range / (v * limit) / 100;
+      const auto coarse = paths::impact<Jkr>(p, v * limit, dt, phase);
+      const auto fine = paths::impact<Jkr>(p, v * limit, dt / 16, phase);
+      ASSERT_FALSE(coarse.stuck || fine.stuck);
+      EXPECT_NEAR(coarse.restitution, exact, 1e-4) << v;
+      EXPECT_NEAR(fine.restitution, exact, 2e-6) << v;  // 1/64 of it, at order 1.5
+    }
   Jkr::State<double> s{};
   double x = 0, v = 0.97 * limit, force = 0, widest = 0;
   const double dt = range / v / 500;
