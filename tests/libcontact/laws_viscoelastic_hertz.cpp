@@ -60,13 +60,13 @@ double exact_restitution(double alpha, bool clip) {
                       a4 = acceleration(x + h * v3, v4);
     const long double nx = x + h / 6 * (v + 2 * v2 + 2 * v3 + v4), nv = v + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
     if (nv < 0 && (clip ? acceleration(nx, nv) >= 0 : nx <= 0)) {
-      if (h < 1e-9L) return static_cast<double>(-nv);
+      if (h < 1e-12L) return static_cast<double>(-nv);
       h /= 2;
       continue;
     }
     x = nx;
     v = nv;
-    if (v > 0) h = std::min(h * 1.01L, 1e-3L);
+    h = std::min({v > 0 ? h * 1.01L : h, 1e-3L, v < 0 ? std::max(0.01L * x / -v, 1e-10L) : 1e-3L});
   }
 }
 
@@ -116,7 +116,8 @@ TEST(ViscoelasticHertz, RestitutionAgainstItsSeries) {
   const double c = static_cast<double>(c1);
   for (const double alpha : {0.001, 0.002, 0.004, 0.008}) {
     const double e = exact_restitution(alpha, false);
-    EXPECT_NEAR(((1 - e) / alpha - c + 0.6 * c * c * alpha) / (alpha * alpha), 0.51, 0.02) << alpha;  // of third order
+    // Of third order: the coefficient is the integration's own.
+    EXPECT_NEAR(((1 - e) / alpha - c + 0.6 * c * c * alpha) / (alpha * alpha), 0.523 - 0.35 * alpha, 5e-4) << alpha;
   }
 }
 #endif
