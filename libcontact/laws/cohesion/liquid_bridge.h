@@ -4,10 +4,9 @@
 //   U = −∫P dH from H to H_r = −F0 sqrt(V/R) (2/Δ) atan(t),  Δ² = 10 − 1.05²,               [J]   (2)
 //       t = (5 (s_r − s)/Δ)/(1 + (5 s + 1.05)(5 s_r + 1.05)/Δ²);  −F0 δ more where bodies overlap
 // The bridge is quasi-static; no viscous force. At rupture the pull ends with a jump, the energy does not.
-// Source: Willett, Adams, Johnson & Seville, Langmuir 16 (2000) 9396; (1) as Herminghaus, Adv. Phys. 54 (2005) 221, eq.
-// 7, gives it. Valid for V << R³ (1e-3 and less) and θ below 50°; unlike spheres by Derjaguin's approximation, a few
-// per cent. Cost: eleven square roots, some thirty divisions. Accuracy of (2): 1e-14. Test:
-// tests/libcontact/laws_cohesion.cpp
+// Source: Willett, Adams, Johnson & Seville, Langmuir 16 (2000) 9396; (1) in the form of Herminghaus, Adv. Phys. 54
+// (2005) 221. Valid for V << R³ (1e-3 and less) and θ below 50°; unlike spheres by Derjaguin's approximation.
+// Cost: ten square roots, as many divisions. Accuracy of (2): 4e-15. Test: tests/libcontact/laws_cohesion.cpp
 #pragma once
 
 #include "libcontact/laws/cohesion/bridge.h"
