@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "libcontact/laws/state.h"
+#include "shapes/math/cube_root.h"
 
 namespace contact {
 
@@ -21,19 +22,10 @@ struct BridgeState {
 
 namespace bridge {
 
-// V^(1/3), in units of R: x^(1/4 + 1/16 + 1/64) of x = V/R³ is within 31 % of x^(1/3) from 1e-30 to 1e30; each step of
-// Halley's takes the relative error e to 2/3 e³.
+// V^(1/3), m; the root is of V/R³, so that a change of units keeps the bits.
 template <class T>
 T side(const T& volume, const T& radius) {
-  using std::sqrt;
-  const T x = volume / (radius * radius * radius);
-  const T a = sqrt(sqrt(x)), b = sqrt(sqrt(a)), c = sqrt(sqrt(b));
-  T y = a * b * c;
-  for (int i = 0; i < 4; ++i) {
-    const T y3 = y * y * y;
-    y = y * ((y3 + T(2) * x) / (T(2) * y3 + x));
-  }
-  return radius * y;
+  return radius * shapes::cube_root<T>(volume / (radius * radius * radius));
 }
 
 // What a law needs of its bridge, after the memory has been brought up to date. All finite in dry lanes too.

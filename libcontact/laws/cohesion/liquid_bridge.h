@@ -6,7 +6,7 @@
 // The bridge is quasi-static; no viscous force. At rupture the pull ends with a jump, the energy does not.
 // Source: Willett, Adams, Johnson & Seville, Langmuir 16 (2000) 9396; (1) in the form of Herminghaus, Adv. Phys. 54
 // (2005) 221. Valid for V << R³ (1e-3 and less) and θ below 50°; unlike spheres by Derjaguin's approximation.
-// Cost: ten square roots, as many divisions. Accuracy of (2): 4e-15. Test: tests/libcontact/laws_cohesion.cpp
+// Cost: eight square roots, a dozen divisions. Accuracy of (2): 4e-15. Test: tests/libcontact/laws_cohesion.cpp
 #pragma once
 
 #include "libcontact/laws/cohesion/bridge.h"

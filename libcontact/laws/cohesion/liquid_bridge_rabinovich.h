@@ -5,7 +5,7 @@
 // (1) for a sphere on a plane, R twice its radius R1, is 4π R1 γ cos θ/(1 + H/d), d = −H + sqrt(H² + V/(π R1)).
 // Left out: the pull of the surface along the line of contact, 2π R γ sin α sin(θ + α), α the half-filling angle; the
 // viscous force. Source: Pitois, Moucheront & Chateau, J. Colloid Interface Sci. 231 (2000) 26; Rabinovich, Esayanur &
-// Moudgil, Langmuir 21 (2005) 10992. Valid for V << R³. Cost: eight square roots. Test:
+// Moudgil, Langmuir 21 (2005) 10992. Valid for V << R³. Cost: six square roots, a dozen divisions. Test:
 // tests/libcontact/laws_cohesion.cpp
 #pragma once
 

@@ -2,13 +2,12 @@
 //   kr  = 2.25 kn μ_r² R*²                               [N m/rad]   (1)   kn: dF/dδ of the normal law
 //   M_k ← M_k · shrink − kr w Δt, shortened to |M_k| <= μ_r R* F     (2)   turned with the contact frame before
 //   M   = M_k − 2 η sqrt(I kr) w   while |M_k| < μ_r R* F, else M_k  (3)   I = 7/5 m* R*²
-//   k_tw = (16/3) a³/(1/G1 + 1/G2)                       [N m/rad]   (4)   two half-spaces stuck over a circle,
-//   twisted;
-//          where the normal law has no a: 2.25 kt μ_tw² R*²
+//   k_tw = (16/3) a³/(1/G1 + 1/G2)                       [N m/rad]   (4)   half-spaces stuck over a circle, twisted;
+//          2.25 kt μ_tw² R*² where the normal law has no a
 //   twisting as (2), (3) with k_tw, the cap μ_tw F a (or μ_tw F R*) and I = 2/5 m* R*²                       (5)
 //   U = |M_k|²/(2 kr) + M_n²/(2 k_tw)                    [J]
-//   shrink = min(1, k/k_before) of either spring, with the option `rescale`, else 1: a spring that gets softer gives
-//   none of its energy away
+//   shrink = min(1, k/k_before) of either spring, with the option `rescale`, else 1: a spring that gets softer does
+//   not give more than it was stretched for
 // I of rolling is that of a sphere about its contact with a plane (exact there); two equal spheres that roll on each
 // other turn with m R²/5, for which it stands 7/40 m R²: `rolling_damping` is then 0.94 of what is asked for. In twist
 // it is exact on a plane, and half of what is asked for between equal spheres. Ai et al. take (Σ 1/(Iᵢ + mᵢ Rᵢ²))⁻¹.
