@@ -5,18 +5,31 @@
 #include <string_view>
 #include <tuple>
 
+#include "libcontact/laws/cohesion/constant_cohesion.h"
+#include "libcontact/laws/cohesion/dmt.h"
+#include "libcontact/laws/cohesion/liquid_bridge.h"
+#include "libcontact/laws/cohesion/liquid_bridge_rabinovich.h"
 #include "libcontact/laws/cohesion/no_cohesion.h"
 #include "libcontact/laws/normal/hertz.h"
+#include "libcontact/laws/normal/jkr.h"
+#include "libcontact/laws/normal/latching_spring.h"
 #include "libcontact/laws/normal/linear.h"
+#include "libcontact/laws/normal/thornton_ning.h"
+#include "libcontact/laws/normal/viscoelastic_hertz.h"
 #include "libcontact/laws/rolling/no_rolling.h"
+#include "libcontact/laws/rolling/rolling_constant.h"
+#include "libcontact/laws/rolling/rolling_spring.h"
+#include "libcontact/laws/rolling/rolling_viscous.h"
 #include "libcontact/laws/tangential/coulomb_spring.h"
+#include "libcontact/laws/tangential/frictionless.h"
+#include "libcontact/laws/tangential/memory_diagram.h"
 
 namespace contact {
 
-using NormalLaws = std::tuple<Linear, Hertz>;
-using TangentialLaws = std::tuple<CoulombSpring>;
-using RollingLaws = std::tuple<NoRolling>;
-using CohesionLaws = std::tuple<NoCohesion>;
+using NormalLaws = std::tuple<Linear, Hertz, ViscoelasticHertz, LatchingSpring, ThorntonNing, Jkr>;
+using TangentialLaws = std::tuple<CoulombSpring, MemoryDiagram, Frictionless>;
+using RollingLaws = std::tuple<NoRolling, RollingConstant, RollingViscous, RollingSpring>;
+using CohesionLaws = std::tuple<NoCohesion, ConstantCohesion, Dmt, LiquidBridge, LiquidBridgeRabinovich>;
 
 // f(Law{}, i) for every law of a list.
 template <class List, class F>
@@ -36,6 +49,12 @@ inline constexpr NamedLaw named_laws[] = {
     {"linear_spring", "linear", "coulomb_spring", "none", "none", false, false, "(9.20)-(9.23), no dashpots"},
     {"spring_dashpot", "linear", "coulomb_spring", "none", "none", true, false, "(9.24)-(9.28)"},
     {"hertz_mindlin", "hertz", "coulomb_spring", "none", "none", true, true, "(9.6), (9.7), (9.16), no micro-slip"},
+    {"mindlin_deresiewicz_exact", "hertz", "memory_diagram", "none", "none", true, true,
+     "micro-slip, exact for any path of loading"},
+    {"thornton_ning", "thornton_ning", "coulomb_spring", "none", "none", false, true, "elastic-plastic spheres"},
+    {"viscoelastic_hertz", "viscoelastic_hertz", "coulomb_spring", "none", "none", false, true,
+     "spheres of a viscous solid"},
+    {"dmt", "hertz", "coulomb_spring", "none", "dmt", true, true, "small, stiff, sticky spheres"},
 };
 
 // Laws that need more of their partner than every one gives: the normal laws that they work with.

@@ -97,8 +97,8 @@ bool LawModel::fused() const {
 }
 
 void LawModel::run(kernels::LawChunk& chunk, kernels::LawWork& work, std::size_t count, double dt,
-                   const LawOptions& options, bool patch) const {
-  const kernels::StageSet& set = *kernels::kernels().stages;
+                   const LawOptions& options, bool patch, const kernels::KernelSet& own) const {
+  const kernels::StageSet& set = *own.stages;
   kernels::StageCall call{dt, &options, memory_normal, patch};
   set.normal[normal](chunk, work, count, call);
   call.memory = memory_tangential;

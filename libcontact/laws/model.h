@@ -43,7 +43,7 @@ class LawModel {
   // One step of `count` contacts: answers force and couple (of the patch and of rolling; spheres: not yet that of the
   // force), new histories and memory in place. `work.gain` must be set.
   CONTACT_API void run(kernels::LawChunk& chunk, kernels::LawWork& work, std::size_t count, double dt,
-                       const LawOptions& options, bool patch) const;
+                       const LawOptions& options, bool patch, const kernels::KernelSet& set = kernels::kernels()) const;
   // The widest gap that a contact reaches across, m.
   CONTACT_API double range(const PairParameters& pair, const LawOptions& options, double radius_eff) const;
   // Steepest springs of a contact pressed for the first time to this overlap.

@@ -78,8 +78,16 @@ struct MaterialPairSpec {  // overrides what mixing would give; NaN = mixed
 };
 
 // The named combinations, in the order of contact::named_laws.
-enum class LawName { linear_spring, spring_dashpot, hertz_mindlin };
-inline constexpr std::size_t law_name_count = 3;
+enum class LawName {
+  linear_spring,
+  spring_dashpot,
+  hertz_mindlin,
+  mindlin_deresiewicz_exact,
+  thornton_ning,
+  viscoelastic_hertz,
+  dmt,
+};
+inline constexpr std::size_t law_name_count = 7;
 
 // How a law of spheres finds its radius on other bodies.
 enum class LawMap { automatic, equivalent_radius };

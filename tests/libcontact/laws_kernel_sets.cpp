@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -12,26 +11,10 @@
 #include "libcontact/laws/mix.h"
 #include "libcontact/laws/normal/hertz.h"
 #include "libcontact/laws/normal/linear.h"
+#include "tests/libcontact/law_lanes.h"
 
 namespace contact::kernels {
 namespace {
-
-class Draw {
- public:
-  explicit Draw(unsigned seed) : engine_(seed) {}
-  double in(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
-  shapes::Vec3d vector(double size) { return {in(-size, size), in(-size, size), in(-size, size)}; }
-  shapes::Vec3d unit() { return shapes::normalized(vector(1) + shapes::Vec3d{0, 0, 2}); }
-
- private:
-  std::mt19937_64 engine_;
-};
-
-void put(Lane3& lane, std::size_t i, const shapes::Vec3d& v) {
-  lane.x[i] = v.x;
-  lane.y[i] = v.y;
-  lane.z[i] = v.z;
-}
 
 // Lanes of every sort: deep, grazing, apart, just come, unloading, sliding, without friction, without damping.
 LawChunk law_chunk(unsigned seed) {
