@@ -11,13 +11,13 @@
 // A follows from (5)/B: no difference of nearly equal numbers, whatever the aspect ratio.
 // Bodies by their outward normal at the point: sphere, ellipsoid, potential particle (of which its own header tells the
 // radii) in closed form; plane and mesh facet 0; rounded polyhedron 1/rounding radius everywhere, as on its corners,
-// its faces and edges included. Bodies of the plane count as round across it as within it: disc and ellipse have twice
-// the curvature of the outline, a line 0. Polyhedra, polygons and compounds (their parts do) have none.
+// its faces and edges included. Bodies of the plane count as round across it as within it: both curvatures of a disc or
+// an ellipse are that of its outline, those of a line 0. Polyhedra, polygons and compounds (their parts do) have none.
 //
 // Source: (1), (2) second derivatives of the support function h; (3), (4) Johnson, Contact Mechanics (1985), ch. 4.
-// Valid for semi-axes within 1e50 of each other. Accuracy: 1e-14 relative. Cost: 40 ns an ellipsoid, 60 ns with a
-// partner. A force 4/3 E* sqrt(R_e) δ^(3/2) whose R_e follows the point of contact is not the slope of an energy when
-// the contact rolls over the shape. Test: tests/libcontact/curvature.cpp
+// Valid for semi-axes within 1e50 of each other (tested to 1e8). Accuracy: 1e-14 relative, of ellipsoids. Cost: 40 ns
+// an ellipsoid, 60 ns with a partner. A force 4/3 E* sqrt(R_e) δ^(3/2) whose R_e follows the point of contact is not
+// the slope of an energy when the contact rolls over the shape. Test: tests/libcontact/curvature.cpp
 #pragma once
 
 #include "libcontact/dispatch.h"
