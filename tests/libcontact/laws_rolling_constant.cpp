@@ -1,6 +1,6 @@
 // Constant rolling and twisting friction: where a rolling or spinning sphere stops, and that it stays.
 #include "libcontact/laws/rolling/rolling_constant.h"
-#include "rolling_cases.h"
+#include "tests/libcontact/rolling_cases.h"
 
 namespace contact {
 namespace {

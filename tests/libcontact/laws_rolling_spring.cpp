@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "libcontact/laws/rolling/rolling_spring.h"
-#include "rolling_cases.h"
+#include "tests/libcontact/rolling_cases.h"
 
 namespace contact {
 namespace {

@@ -1,6 +1,6 @@
 // Viscous rolling resistance: exponential decay, and a step that is too long for it.
 #include "libcontact/laws/rolling/rolling_viscous.h"
-#include "rolling_cases.h"
+#include "tests/libcontact/rolling_cases.h"
 
 namespace contact {
 namespace {
