@@ -74,6 +74,10 @@ __attribute__((flatten)) void normal_stage(LawChunk& c, LawWork& w, std::size_t 
     f.holding *= gain;
     f.stiffness *= gain * gain;
     f.damping *= gain * gain;
+    if constexpr (!law_adheres<Law>) {  // a record may be there for its cohesion alone
+      const auto apart = !(depth > Pack(0));
+      each_of_normal_force(f, f, [&](Pack& x, const Pack&) { x = select(apart, Pack(0), x); });
+    }
     each_of_normal_force(w.normal, f, [i](Lane& l, const Pack& x) { store(l, i, x); });
     store_state(w, i, call.memory, s);
   }

@@ -72,14 +72,7 @@ std::optional<LawModel> law_model(const LawNames& names) {
     m.loss = law.loss;
     m.lingers = law_adheres<decltype(law)>;
     m.damping_factor = law.damping_factor;
-    NormalForce<double> f;
-    typename decltype(law)::template State<double> state{};
-    PairOf<double> pair;
-    pair.young_eff = pair.shear_eff = 1;
-    Kinematics<double> k;
-    k.overlap = k.radius_eff = k.mass_eff = k.dt_contact = 1;
-    f = law.update(pair, k, LawOptions{}, state);
-    m.hertzian = f.contact_radius > 0;
+    m.hertzian = std::string_view(law.parameters).starts_with("young");
   });
   at<CohesionLaws>(m.cohesion, [&](auto law) { m.lingers = m.lingers || state_words<decltype(law)> > 0; });
   return m;
