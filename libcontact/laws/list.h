@@ -10,6 +10,7 @@
 #include "libcontact/laws/cohesion/liquid_bridge.h"
 #include "libcontact/laws/cohesion/liquid_bridge_rabinovich.h"
 #include "libcontact/laws/cohesion/no_cohesion.h"
+#include "libcontact/laws/normal/adhesive_plastic_spring.h"
 #include "libcontact/laws/normal/hertz.h"
 #include "libcontact/laws/normal/jkr.h"
 #include "libcontact/laws/normal/latching_spring.h"
@@ -23,11 +24,13 @@
 #include "libcontact/laws/tangential/coulomb_spring.h"
 #include "libcontact/laws/tangential/frictionless.h"
 #include "libcontact/laws/tangential/memory_diagram.h"
+#include "libcontact/laws/tangential/mindlin_deresiewicz.h"
 
 namespace contact {
 
-using NormalLaws = std::tuple<Linear, Hertz, ViscoelasticHertz, LatchingSpring, ThorntonNing, Jkr>;
-using TangentialLaws = std::tuple<CoulombSpring, MemoryDiagram, Frictionless>;
+using NormalLaws =
+    std::tuple<Linear, Hertz, ViscoelasticHertz, LatchingSpring, AdhesivePlasticSpring, ThorntonNing, Jkr>;
+using TangentialLaws = std::tuple<CoulombSpring, MindlinDeresiewicz, MemoryDiagram, Frictionless>;
 using RollingLaws = std::tuple<NoRolling, RollingConstant, RollingViscous, RollingSpring>;
 using CohesionLaws = std::tuple<NoCohesion, ConstantCohesion, Dmt, LiquidBridge, LiquidBridgeRabinovich>;
 
@@ -49,11 +52,15 @@ inline constexpr NamedLaw named_laws[] = {
     {"linear_spring", "linear", "coulomb_spring", "none", "none", false, false, "(9.20)-(9.23), no dashpots"},
     {"spring_dashpot", "linear", "coulomb_spring", "none", "none", true, false, "(9.24)-(9.28)"},
     {"hertz_mindlin", "hertz", "coulomb_spring", "none", "none", true, true, "(9.6), (9.7), (9.16), no micro-slip"},
+    {"hertz_mindlin_deresiewicz", "hertz", "mindlin_deresiewicz", "none", "none", true, true,
+     "Box 9.1, micro-slip step by step"},
     {"mindlin_deresiewicz_exact", "hertz", "memory_diagram", "none", "none", true, true,
      "micro-slip, exact for any path of loading"},
     {"thornton_ning", "thornton_ning", "coulomb_spring", "none", "none", false, true, "elastic-plastic spheres"},
     {"viscoelastic_hertz", "viscoelastic_hertz", "coulomb_spring", "none", "none", false, true,
      "spheres of a viscous solid"},
+    {"adhesive_plastic_spring", "adhesive_plastic_spring", "coulomb_spring", "none", "none", true, false,
+     "Luding's, plastic and sticky"},
     {"dmt", "hertz", "coulomb_spring", "none", "dmt", true, true, "small, stiff, sticky spheres"},
 };
 

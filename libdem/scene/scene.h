@@ -82,12 +82,14 @@ enum class LawName {
   linear_spring,
   spring_dashpot,
   hertz_mindlin,
+  hertz_mindlin_deresiewicz,
   mindlin_deresiewicz_exact,
   thornton_ning,
   viscoelastic_hertz,
+  adhesive_plastic_spring,
   dmt,
 };
-inline constexpr std::size_t law_name_count = 7;
+inline constexpr std::size_t law_name_count = 9;
 
 // How a law of spheres finds its radius on other bodies.
 enum class LawMap { automatic, equivalent_radius };
