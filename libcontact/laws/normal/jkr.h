@@ -12,7 +12,7 @@
 // after an impact then misses at order dt^1.5. s, w: hertz.h. When clipped the dashpot does not pull: F >= min(Fe, 0).
 // (9.13) without iteration on a double root: with α = a/R*, D = δ/R*, x = π W/(4 E* R*), Ferrari's resolvent
 //   ν³ + D ν = x,   r = sqrt(D + ν²),   α = r + sqrt(ν(2r − ν))                                                  (3)
-// has one simple positive root for every D >= Df = −3(x/2)^⅔; D < Df is 4D³ < −27x². The root: four steps of Halley.
+// has one positive root, a simple one, for every D >= δf/R* = −3(x/2)^⅔: four steps of Halley.
 // Accuracy: a and Fe are those of a δ that is within 1.5e-15 max(δ, |δf|) of the given one. Where δ >= 0 a is right to
 // 5e-16 and Fe to 2e-15 max(Fe, Fc); at δf da/dδ is infinite, and rounding of δ alone moves a by 1e-8 of itself. W = 0:
 // Hertz.

@@ -7,15 +7,15 @@
 //   am² = R* δm,   D = δm − δ_p = 3Fm/(4E* am),   R_p = am²/D                                       [m]     (5)
 //   U = (2/5) F D z                                          what it gives back                     [J]     (6)
 //   kn = 2 E* a, the steeper of loading and unloading; kt = 8 G* a                                  [N/m]
-// (5) is the paper's R_p = (4E*/(3Fm)) ((2Fm + F_y)/(2π p_y))^{3/2} : the bracket is am², by (3). Loading again runs
-// along (4) up to δm. Between 0 and δ_p the force is zero, the memory stays. The rebound speed, V_y the least that
-// yields:
-//   e = sqrt(6√3/5) sqrt(1 − x²/6) (x/(x + 2 sqrt(6/5 − x²/5)))^¼,   x = V_y/V < 1
+// (5) is the paper's R_p = (4E*/(3Fm)) ((2Fm + F_y)/(2π p_y))^{3/2}: the bracket is am², by (3). Loading again runs
+// along (4) up to δm. Between 0 and δ_p the force is zero, the memory stays. The rebound speed ratio:
+//   e = sqrt(6√3/5) sqrt(1 − x²/6) (x/(x + 2 sqrt(6/5 − x²/5)))^¼,   x = V_y/V < 1, else 1
 //   V_y = (π/(2E*))² sqrt(8π R*³/(15 m*)) p_y^{5/2}
-// No dashpot: neither options.clip nor the onset matters. p_y infinite: Hertz, undamped. p_y is the mean of what the
-// contact can bear, about 1.6 yield stresses by the paper's use of Hertz's peak pressure.
+// No dashpot: neither options.clip nor the onset matters. p_y infinite: Hertz, undamped. p_y is the peak of Hertz's
+// pressure beyond which the contact's middle yields, at first 1.6 yield stresses.
 // Source: Thornton, J. Appl. Mech. 64 (1997) 383; Thornton & Ning, Powder Technol. 99 (1998) 154. Valid a << R*.
-// Cost: two square roots, three divisions. Accuracy: 4e-15 Fm. Tests: tests/libcontact/laws_thornton_ning.cpp
+// Cost: four square roots, five divisions. Accuracy: 4e-15 sqrt(1 + δm/δ_y) Fm.
+// Tests: tests/libcontact/laws_thornton_ning.cpp
 #pragma once
 
 #include "libcontact/laws/state.h"
