@@ -16,6 +16,7 @@
 #include "libcontact/laws/normal/latching_spring.h"
 #include "libcontact/laws/normal/linear.h"
 #include "libcontact/laws/normal/thornton_ning.h"
+#include "libcontact/laws/normal/thornton_ning_adhesive.h"
 #include "libcontact/laws/normal/viscoelastic_hertz.h"
 #include "libcontact/laws/rolling/no_rolling.h"
 #include "libcontact/laws/rolling/rolling_constant.h"
@@ -28,8 +29,8 @@
 
 namespace contact {
 
-using NormalLaws =
-    std::tuple<Linear, Hertz, ViscoelasticHertz, LatchingSpring, AdhesivePlasticSpring, ThorntonNing, Jkr>;
+using NormalLaws = std::tuple<Linear, Hertz, ViscoelasticHertz, LatchingSpring, AdhesivePlasticSpring, ThorntonNing,
+                              Jkr, ThorntonNingAdhesive>;
 using TangentialLaws = std::tuple<CoulombSpring, MindlinDeresiewicz, MemoryDiagram, Frictionless>;
 using RollingLaws = std::tuple<NoRolling, RollingConstant, RollingViscous, RollingSpring>;
 using CohesionLaws = std::tuple<NoCohesion, ConstantCohesion, Dmt, LiquidBridge, LiquidBridgeRabinovich>;
@@ -57,6 +58,8 @@ inline constexpr NamedLaw named_laws[] = {
     {"mindlin_deresiewicz_exact", "hertz", "memory_diagram", "none", "none", true, true,
      "micro-slip, exact for any path of loading"},
     {"thornton_ning", "thornton_ning", "coulomb_spring", "none", "none", false, true, "elastic-plastic spheres"},
+    {"thornton_ning_adhesive", "thornton_ning_adhesive", "coulomb_spring", "none", "none", false, true,
+     "elastic-plastic, sticky spheres"},
     {"viscoelastic_hertz", "viscoelastic_hertz", "coulomb_spring", "none", "none", false, true,
      "spheres of a viscous solid"},
     {"adhesive_plastic_spring", "adhesive_plastic_spring", "coulomb_spring", "none", "none", true, false,

@@ -85,11 +85,12 @@ enum class LawName {
   hertz_mindlin_deresiewicz,
   mindlin_deresiewicz_exact,
   thornton_ning,
+  thornton_ning_adhesive,
   viscoelastic_hertz,
   adhesive_plastic_spring,
   dmt,
 };
-inline constexpr std::size_t law_name_count = 9;
+inline constexpr std::size_t law_name_count = 10;
 
 // How a law of spheres finds its radius on other bodies.
 enum class LawMap { automatic, equivalent_radius };
