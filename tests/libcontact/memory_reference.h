@@ -38,6 +38,7 @@ class DiagramReference {
     } else {
       for (int i = 0; i < 400; ++i) {
         const T middle = (low + high) / 2;
+        if (middle == low || middle == high) break;
         (too_much(middle) ? high : low) = middle;
       }
     }

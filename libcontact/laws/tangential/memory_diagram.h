@@ -15,12 +15,13 @@
 // slip. In two, the annulus slips in one direction.
 // When a 13th layer is there, the neighbours whose fusion changes the force least are made one (memory_layers.h); no
 // energy comes from it. `merges` counts them. Only a contact that sticks as it grows asks for many layers.
-// Where the dashpot has brought the pressing force below F, the D shrink with the cap. The tangential dashpot acts
-// where not all slips, and is no part of the memory. |Ft| <= μ · pressing force. μ = 0: no force. μ >= 2^20, or
-// infinite: no slip, Ft ← Ft · a/a_old (where the contact shrinks) + 8 G* a d. Needs a contact of Hertz. Sources:
-// Mindlin & Deresiewicz, J. Appl. Mech. 20 (1953) 327; layers: Jäger, Arch. Appl. Mech. 65 (1995) 478. Accuracy:
-// rounding where nothing was merged, else see the tests. Cost: 14 square roots, 0.3 µs. Tests:
-// tests/libcontact/laws_memory_diagram.cpp, laws_oblique.cpp
+// Dashpots: where the normal one has brought the pressing force below F, the D shrink with the cap. Where all slips the
+// force is μ · pressing force; elsewhere the tangential dashpot is added, no part of the memory, up to that cap.
+// μ = 0: no force. μ >= 2^20, or infinite: no slip, Ft ← Ft · a/a_old (where the contact shrinks) + 8 G* a d.
+// Needs a contact of Hertz. Sources: Mindlin & Deresiewicz, J. Appl. Mech. 20 (1953) 327; layers: Jäger, Arch. Appl.
+// Mech. 65 (1995) 478. Accuracy: rounding where nothing was merged; an impact that sticks for long (s' of 0.06 μ vn)
+// misses s' by 0.003 μ vn. Cost: 14 square roots, 0.3 µs.
+// Tests: tests/libcontact/laws_memory_diagram.cpp, laws_oblique.cpp
 #pragma once
 
 #include "libcontact/laws/state.h"
@@ -129,10 +130,11 @@ struct MemoryDiagram {
     }
 
     TangentialForce<T> out;
-    const Vec3<T> trial = s.force + k.slip * select(all && rubs, zero, f.damping_t);
+    const auto slides = all && rubs;
+    const Vec3<T> trial = s.force + k.slip * select(slides, zero, f.damping_t);
     const T size = dot(trial, trial);
-    const auto beyond = size > cap * cap;
-    out.force = trial * select(beyond, cap / sqrt(select(beyond, size, T(1))), T(1));
+    const auto capped = (slides && size > zero) || size > cap * cap;
+    out.force = trial * select(capped, cap / sqrt(select(capped, size, T(1))), T(1));
     const auto springs = slipless && f.stiffness_t > zero;
     out.energy = select(springs, T(0.5) * dot(s.force, s.force) / select(springs, f.stiffness_t, T(1)),
                         T(1.5) * kappa * mu * mu * f.elastic * z * diagram::stored(s.share, y, layers));

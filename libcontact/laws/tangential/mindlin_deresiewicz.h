@@ -16,7 +16,8 @@
 // with the deficit or without: in random closed loops up to 1.2 times the most that was stored. Use memory_diagram.
 // Energy: what would come back at this F from a first loading (an estimate after turns),
 //   0.3 (Ft²/kt) (2 + 4c + 6c² + 3c³)/(1 + c + c²)²,   c³ = 1 − Ft/(2 μ F)                             [J]  (1)
-// |Ft| <= μ F; a dashpot that lowers the pressing force lowers it too. The tangential dashpot acts where not all slips.
+// |Ft| <= μ F; a dashpot that lowers the pressing force lowers it too. Where all slips the force is μ · pressing force;
+// elsewhere the tangential dashpot is added, no part of the memory, up to that cap.
 // μ >= 2^20, or infinite: no slip, Ft ← Ft · shrink + 8 G* a d.
 // Source: Seville & Wu (2016), Box 9.1, read as the project's equation sheet does; Thornton & Yin, Powder Technol. 65
 // (1991) 153; Mindlin & Deresiewicz, J. Appl. Mech. 20 (1953) 327. Needs a contact of Hertz. Cost: two cube roots, 5
@@ -86,8 +87,8 @@ struct MindlinDeresiewicz {
     s.low = select(turned, s.low - grown, zero);
 
     const T square = dot(elastic, elastic);
-    const auto all = square > limit * limit;
-    elastic = elastic * select(all, limit / sqrt(select(all, square, one)), one);
+    const auto over = square > limit * limit, all = over || (cube < T(0x1p-40) && !sticks);
+    elastic = elastic * select(over, limit / sqrt(select(over, square, one)), one);
     const T now = dot(elastic, t);
     const auto loads = all || !turned || (unloads && !(now > -s.high)) || (reloads && !(now < s.high));
     s.turned = select(loads, zero, select(unloads, one, T(2)));
@@ -105,10 +106,11 @@ struct MindlinDeresiewicz {
     s.axis = choose(loads, along, t);
 
     TangentialForce<T> out;
-    const Vec3<T> trial = s.force + k.slip * select(all && !slipless, zero, f.damping_t);
+    const auto slides = all && !slipless;
+    const Vec3<T> trial = s.force + k.slip * select(slides, zero, f.damping_t);
     const T total = dot(trial, trial);
-    const auto beyond = total > cap * cap;
-    out.force = trial * select(beyond, cap / sqrt(select(beyond, total, one)), one);
+    const auto capped = (slides && total > zero) || total > cap * cap;
+    out.force = trial * select(capped, cap / sqrt(select(capped, total, one)), one);
     const T c = cube_root(larger(one - T(0.5) * size * per_limit, T(0.5))), c1 = one + c + c * c;
     out.energy = T(0.3) * size * size * compliance * (T(2) + c * (T(4) + c * (T(6) + T(3) * c))) / (c1 * c1);  // (1)
     return out;
