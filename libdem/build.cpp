@@ -123,18 +123,8 @@ void mix_materials(World& world) {
       world.pairs[i * n + j] = contact::mix(world.materials[i], world.materials[j], law.clip);
   for (const MaterialPairSpec& p : world.scene.pairs) {
     const std::size_t i = material_index(world, p.a, p.where), j = material_index(world, p.b, p.where);
-    for (contact::PairParameters* q : {&world.pairs[i * n + j], &world.pairs[j * n + i]}) {
-      if (!std::isnan(p.friction)) q->friction = p.friction;
-      if (!std::isnan(p.stiffness)) {
-        q->stiffness_t = p.stiffness * (q->stiffness_n > 0 ? q->stiffness_t / q->stiffness_n : 1);
-        q->stiffness_n = p.stiffness;
-      }
-      if (!std::isnan(p.restitution)) contact::set_restitution(*q, p.restitution, law.clip);
-      if (!std::isnan(p.work_of_adhesion)) q->work_of_adhesion = p.work_of_adhesion;
-      if (!std::isnan(p.rolling_friction)) q->rolling_friction = p.rolling_friction;
-      if (!std::isnan(p.twisting_friction)) q->twisting_friction = p.twisting_friction;
-      if (!std::isnan(p.cohesion)) q->cohesion = p.cohesion;
-    }
+    for (contact::PairParameters* q : {&world.pairs[i * n + j], &world.pairs[j * n + i]})
+      override_pair(*q, p, law.clip);
   }
 }
 

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "libcontact/laws/list.h"
+#include "libcontact/laws/mix.h"
 
 namespace dem {
 namespace {
@@ -50,6 +53,19 @@ contact::Material material_of(const MaterialSpec& m, const LawSpec& law) {
   out.cohesion = m.cohesion;
   out.contact_angle = m.contact_angle;
   return out;
+}
+
+void override_pair(contact::PairParameters& q, const MaterialPairSpec& p, bool clip) {
+  if (!std::isnan(p.friction)) q.friction = p.friction;
+  if (!std::isnan(p.stiffness)) {
+    q.stiffness_t = p.stiffness * (q.stiffness_n > 0 ? q.stiffness_t / q.stiffness_n : 1);
+    q.stiffness_n = p.stiffness;
+  }
+  if (!std::isnan(p.restitution)) contact::set_restitution(q, p.restitution, clip);
+  if (!std::isnan(p.work_of_adhesion)) q.work_of_adhesion = p.work_of_adhesion;
+  if (!std::isnan(p.rolling_friction)) q.rolling_friction = p.rolling_friction;
+  if (!std::isnan(p.twisting_friction)) q.twisting_friction = p.twisting_friction;
+  if (!std::isnan(p.cohesion)) q.cohesion = p.cohesion;
 }
 
 std::string law_title(const LawSpec& law) {

@@ -12,6 +12,8 @@ contact::LawNames law_names(const LawSpec& law);
 contact::LawModel law_model_of(const LawSpec& law);
 contact::LawOptions law_options_of(const LawSpec& law);
 contact::Material material_of(const MaterialSpec& spec, const LawSpec& law);
+// What a [[material_pair]] states in place of the mixed values.
+void override_pair(contact::PairParameters& pair, const MaterialPairSpec& spec, bool clip);
 // Name of the combination, with the laws that stand in the place of its own: "hertz_mindlin, rolling spring".
 std::string law_title(const LawSpec& law);
 

@@ -45,6 +45,11 @@ struct ContactArguments {
 };
 int contact_command(const ContactArguments& arguments);
 
+struct LawArguments {
+  std::string spec, out, plot, fit;  // empty: not wanted
+};
+int law_command(const LawArguments& arguments);
+
 struct RenderArguments {
   std::string folder, color_by = "speed";
   std::optional<int> frame;

@@ -96,6 +96,29 @@ void add_contact(CLI::App& app, ContactArguments& a) {
   sub->add_option("--json", a.json, "Write the results to this file")->type_name("OUT");
 }
 
+void add_law(CLI::App& app, LawArguments& a) {
+  CLI::App* sub =
+      command(app, "law", "Lead one contact through a force law: along a path, or through an impact.",
+              "  dem law impact.toml\n"
+              "  dem law path.toml --out loop.csv --plot loop.png\n"
+              "  dem law impact.toml --fit measured.csv\n"
+              "A spec has [law], one or two [[material]], [a] and [b] with radius (b without: a plane), and\n"
+              "  [path] file = \"path.csv\" (columns t, overlap, slip_x, slip_y [, rotation]) or rows, "
+              "substeps\n"
+              "  [impact] speed and angle_deg, or normal_speed and tangential_speed; spin, dt, "
+              "steps_per_contact\n"
+              "  [fit] parameters = [\"friction\", \"restitution\"] for --fit, whose file has columns "
+              "speed or\n"
+              "  normal_speed, angle_deg, and what was measured of restitution, rebound_angle_deg, duration");
+  sub->add_option("spec", a.spec, "What to drive (TOML)")->required()->type_name("SPEC");
+  auto* out = sub->add_option("--out", a.out, "Write every step to this CSV file")->type_name("CSV");
+  auto* plot = sub->add_option("--plot", a.plot, "Draw the loops, by gnuplot")->type_name("PNG");
+  sub->add_option("--fit", a.fit, "Find the parameters of [fit] from measured impacts")
+      ->type_name("CSV")
+      ->excludes(out)
+      ->excludes(plot);
+}
+
 void add_render(CLI::App& app, RenderArguments& a, std::string& size) {
   CLI::App* sub = command(app, "render", "Draw a run, without a display.",
                           "  dem render out/hopper\n"
@@ -154,6 +177,7 @@ int run_program(int argc, char** argv) {
   CheckArguments check;
   ListArguments list;
   ContactArguments contact;
+  LawArguments law;
   RenderArguments render;
   ValidateArguments validate;
   NewArguments new_scene;
@@ -163,6 +187,7 @@ int run_program(int argc, char** argv) {
   add_check(app, check);
   add_list(app, list);
   add_contact(app, contact);
+  add_law(app, law);
   add_render(app, render, size);
   add_validate(app, validate);
   add_new(app, new_scene);
@@ -182,6 +207,7 @@ int run_program(int argc, char** argv) {
   if (app.got_subcommand("check")) return check_command(check);
   if (app.got_subcommand("list")) return list_command(list);
   if (app.got_subcommand("contact")) return contact_command(contact);
+  if (app.got_subcommand("law")) return law_command(law);
   if (app.got_subcommand("validate")) return validate_command(validate);
   if (app.got_subcommand("new")) return new_command(new_scene);
   if (app.got_subcommand("schema")) return schema_command();

@@ -12,6 +12,7 @@
 #include "libdem/cli/commands.h"
 #include "libdem/cli/folder.h"
 #include "libdem/io/io.h"
+#include "libdem/io/programs.h"
 #include "libdem/render/render.h"
 #include "libdem/scene/nearest.h"
 
@@ -20,17 +21,6 @@ namespace dem::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool have_ffmpeg() {
-  const char* path = std::getenv("PATH");
-  std::string folders = path ? path : "";
-  for (std::size_t begin = 0; begin < folders.size();) {
-    const std::size_t end = std::min(folders.find(':', begin), folders.size());
-    if (fs::exists(fs::path(folders.substr(begin, end - begin)) / "ffmpeg")) return true;
-    begin = end + 1;
-  }
-  return false;
-}
 
 std::string quoted(const std::string& path) {  // for the shell
   std::string out = "'";
@@ -93,7 +83,7 @@ int movie(const RenderArguments& arguments, World& world, render::View view, con
   const int frames = io::frame_count(record);
   fix_view(view, world, record, frames);
   const std::string path = arguments.folder + "/movie.mp4";
-  if (have_ffmpeg()) {
+  if (io::installed("ffmpeg")) {
     Movie out(path, view);
     for (int k = 0; k < frames; ++k) {
       io::load_frame(record, world, k);

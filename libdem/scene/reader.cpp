@@ -136,9 +136,11 @@ void references(const Section& section, const Node& node, const std::string& pat
 
 }  // namespace
 
-void read_by_schema(const Node& root, Scene& scene, Errors& errors) {
-  Reader(errors).table(schema(), root, "", &scene);
-  references(schema(), root, "", root, errors);
+void read_table(const Section& section, const Node& root, void* spec, Errors& errors) {
+  Reader(errors).table(section, root, "", spec);
+  references(section, root, "", root, errors);
 }
+
+void read_by_schema(const Node& root, Scene& scene, Errors& errors) { read_table(schema(), root, &scene, errors); }
 
 }  // namespace dem
