@@ -18,6 +18,7 @@
 #include "libdem/integrators/rotation.h"
 #include "libdem/laws_of_scene.h"
 #include "libdem/parts.h"
+#include "libdem/reference_stiffness.h"
 #include "libdem/walls.h"
 
 namespace dem {
@@ -278,6 +279,7 @@ World build_world(const Scene& scene) {
     if (!s.region.empty() || !s.material.empty() || !s.shape.empty()) tag_species(world, s);
   prepare_rain(world);
   prepare_events(world);
+  if (scene.law.reference_speed > 0) set_reference_stiffness(world);
   check_recycling(world);
   for (std::size_t i = 0; i < world.particles.count(); ++i) {
     if (turns_uniformly(world.particles.kind[i])) continue;

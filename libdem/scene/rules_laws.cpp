@@ -89,6 +89,14 @@ class LawRules : RuleContext {
     add(contact::TangentialLaws{}, names_.tangential);
     add(contact::RollingLaws{}, names_.rolling);
     add(contact::CohesionLaws{}, names_.cohesion);
+    if (scene.law.reference_speed > 0) {
+      if (read_.erase("stiffness") == 0)
+        wrong("law", 0, "reference_speed", fmt::format("is for linear laws, found normal law {}", names_.normal));
+      for (std::size_t i = 0; i < scene.materials.size(); ++i)
+        if (node("material", i, "stiffness"))
+          wrong("material", i, "stiffness", "give it or law.reference_speed, not both");
+      read_.emplace("young", " (Pa)");
+    }
     damped_ = contact::named_laws[static_cast<std::size_t>(scene.law.name)].damped && read_.contains("restitution");
     title_ = law_title(scene.law);
   }
@@ -124,7 +132,8 @@ class LawRules : RuleContext {
 
   void pair(std::size_t i) {
     restitution("material_pair", i, scene.pairs[i].restitution);
-    if (!read_.contains("stiffness") && node("material_pair", i, "stiffness"))
+    const bool linear = read_.contains("stiffness") || scene.law.reference_speed > 0;
+    if (!linear && node("material_pair", i, "stiffness"))
       wrong("material_pair", i, "stiffness", fmt::format("law {} takes the stiffness from young and poisson", title_));
     for (const char* key : {"work_of_adhesion", "rolling_friction", "twisting_friction", "cohesion"})
       if (!read_.contains(key) && node("material_pair", i, key)) unread("material_pair", i, key);

@@ -103,6 +103,7 @@ struct LawSpec {
   bool clip = true;            // contacts end at zero force, else at zero overlap
   bool deficit = true;         // mindlin_deresiewicz: remember the slip that an increment did not make
   bool ledger = false;         // book the work of every mechanism
+  double reference_speed = 0;  // m/s: stiffness of linear laws from moduli, bodies and this, (9.22); 0: as given
   double surface_tension = 0;  // N/m, liquid bridges
   double bridge_volume = 0;    // m³, of one bridge
 };

@@ -52,6 +52,11 @@ std::vector<Key> law_keys() {
                                "Tangential law mindlin_deresiewicz: remember the slip that an increment did not make; "
                                "false = as printed, which may create energy."),
       value<&LawSpec::ledger>("ledger", "", "Book the work of every mechanism (summary.json)."),
+      value<&LawSpec::reference_speed>("reference_speed", "m/s",
+                                       "Linear laws: stiffness such that an impact at this speed lasts as long as that "
+                                       "of Hertz, from young, poisson and the largest bodies; in place of "
+                                       "material.stiffness.")
+          .above(0),
       value<&LawSpec::surface_tension>("surface_tension", "N/m", "Of the liquid in bridges.").from(0),
       value<&LawSpec::bridge_volume>("bridge_volume", "m^3", "Of the liquid of one bridge.").from(0),
   };
