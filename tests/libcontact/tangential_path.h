@@ -11,6 +11,7 @@
 #include "shapes/math/pack.h"
 
 #if TEST_HAS_BOOST
+#include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #endif
 
