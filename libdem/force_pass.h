@@ -147,7 +147,7 @@ class ForcePass {
       memory[words] = w.normal.energy[i] + w.tangential_energy[i] + w.moment_energy[i] + w.pull_energy[i];
       if (c_.ledger.empty()) continue;
       contact::Ledger& ledger = c_.ledger[s.record[i]];
-      contact::book(s.law, w, i, world_.law.loss, ledger);
+      contact::book(s.law, w, i, dt_, world_.law.loss, ledger);
       if (dt_ == 0) ledger.lost = {};  // what is there at the start has not been lost
     }
   }

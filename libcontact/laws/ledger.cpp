@@ -2,11 +2,11 @@
 
 namespace contact {
 
-void book(const kernels::LawChunk& c, const kernels::LawWork& w, std::size_t i, Loss loss, Ledger& l) {
+void book(const kernels::LawChunk& c, const kernels::LawWork& w, std::size_t i, double dt, Loss loss, Ledger& l) {
   const auto get = [i](const kernels::Lane3& lane) { return shapes::Vec3d{lane.x[i], lane.y[i], lane.z[i]}; };
   const auto add = [&](Mechanism m, double work) { l.lost[static_cast<std::size_t>(m)] += work; };
   const shapes::Vec3d n = get(c.normal), v = get(c.velocity);
-  const double closing = dot(v, n), dt = w.dt_contact[i];
+  const double closing = dot(v, n);
   const shapes::Vec3d slip = v - n * closing;
 
   const double elastic = w.normal.elastic[i], dashpot = w.normal.force[i] - elastic;

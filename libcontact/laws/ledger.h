@@ -1,6 +1,8 @@
 // Where the work of a contact goes, step by step. With F the force and ds the relative motion over a step, by the
 // trapezoidal rule between the forces at its ends, which is what a leapfrog step does to the kinetic energy:
-//   W = ½ (F_before + F) · ds                                                             (1)
+//   W = ½ (F_before + F) · v dt                                                           (1)
+// with the whole step also where the contact began within it: that is how long the loop lets the force act. The balance
+// of an impact then errs at second order in dt, force jumps of dashpots and of adhesion included.
 //   viscous    the dashpots' part of W, normal and tangential
 //   friction   W of the tangential force and of the moments, less dashpots and stored energy
 //   plastic    W of a normal law's elastic part less its stored energy, where the law loses by yielding (Loss::plastic)
@@ -31,7 +33,7 @@ struct Ledger {
 };
 
 // Books lane i, after LawModel::run over a step of length dt. The velocities are those of the middle of the step.
-CONTACT_API void book(const kernels::LawChunk& chunk, const kernels::LawWork& work, std::size_t i, Loss loss,
+CONTACT_API void book(const kernels::LawChunk& chunk, const kernels::LawWork& work, std::size_t i, double dt, Loss loss,
                       Ledger& ledger);
 
 }  // namespace contact

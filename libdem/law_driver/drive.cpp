@@ -47,7 +47,7 @@ const Answer& Drive::step(const Move& move) {
   put(c.relative_spin, move.relative_spin);
   c.turn[0] = move.turn;
   contact_.model.run(c, *work_, 1, move.dt, contact_.options, false);
-  contact::book(c, *work_, 0, contact_.model.loss, ledger_);
+  contact::book(c, *work_, 0, move.dt, contact_.model.loss, ledger_);
   if (move.dt == 0) ledger_.lost = {};
 
   const contact::kernels::LawWork& w = *work_;

@@ -12,9 +12,12 @@ struct Moving {
 
   double inverse_mass() const { return 1 / ball.mass; }
   double inverse_inertia() const { return 1 / ball.inertia; }
-  void kick(double h) {
+  // Returns the work of force and torque: with the mean of the velocities before and after.
+  double kick(double h) {
+    const Vec3d v = velocity, w = spin;
     velocity += force * (h * inverse_mass());
     spin += torque * (h * inverse_inertia());
+    return 0.5 * h * (dot(force, v + velocity) + dot(torque, w + spin));
   }
   double kinetic() const {
     return (std::isfinite(ball.mass) ? 0.5 * ball.mass * dot(velocity, velocity) : 0) +
@@ -88,9 +91,7 @@ class Impact {
  private:
   void step() {
     const double before = a_.kinetic() + b_.kinetic();
-    const Vec3d force = a_.force, torque_a = a_.torque, torque_b = b_.torque;
-    a_.kick(0.5 * dt_);
-    b_.kick(0.5 * dt_);
+    work_ += a_.kick(0.5 * dt_) + b_.kick(0.5 * dt_);
     a_.position += a_.velocity * dt_;
     b_.position += b_.velocity * dt_;
     const Geometry g = geometry(a_, b_);
@@ -116,12 +117,7 @@ class Impact {
     time_ += part * dt_;
     const Vec3d slip = (move_.velocity - g.normal * closing) * (part * dt_);
     slip_ += Vec3d{slip.x * g.normal.z - slip.z * g.normal.x, slip.y, 0};
-    // What the two kicks did, from the velocities of the middle.
-    work_ += 0.5 * dt_ *
-             (dot(force + a_.force, a_.velocity - b_.velocity) + dot(torque_a + a_.torque, a_.spin) +
-              dot(torque_b + b_.torque, b_.spin));
-    a_.kick(0.5 * dt_);
-    b_.kick(0.5 * dt_);
+    work_ += a_.kick(0.5 * dt_) + b_.kick(0.5 * dt_);
     const double now = a_.kinetic() + b_.kinetic();
     result_.largest_kinetic = std::max({result_.largest_kinetic, before, now});
     gained_ = now - result_.kinetic_before;
@@ -130,9 +126,10 @@ class Impact {
   }
 
   void watch(const Answer& answer) {
-    result_.peak_overlap = std::max(result_.peak_overlap, move_.overlap);
-    if (answer.normal > result_.peak_force) {
-      result_.peak_force = answer.normal;
+    result_.peak_force = std::max(result_.peak_force, answer.normal);
+    if (move_.overlap > result_.peak_overlap) {
+      result_.peak_overlap = move_.overlap;
+      result_.peak_time = time_;
       peak_steps_ = result_.steps;
     }
   }

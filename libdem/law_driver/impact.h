@@ -1,8 +1,8 @@
 // Two bodies that meet, a ball and a ball or a plane, with the step of the loop of libdem: kick – drift – kick, forces
 // from the positions at the end of a step and the velocities of its middle, both ways about the contact's centre.
 //
-// The ball a comes from below along z at `speed` under `angle`; the tangential part points along x. Spins are about y:
-// of a positive one the contact's point moves along −x. Without gravity.
+// The ball a comes from below along z, the tangential part of its velocity points along x. Spins are about y: a's point
+// at the contact moves along x with a positive one. Without gravity.
 #pragma once
 
 #include <functional>
@@ -34,6 +34,7 @@ struct Rebound {
   double contact_slip = 0;                        // of a's point over b's afterwards, m/s
   double normal_speed = 0, tangential_speed = 0;  // of a relative to b afterwards, m/s
   double spin_a = 0, spin_b = 0;                  // rad/s
+  double peak_time = 0;                           // s, of the largest overlap
   double duration = 0;                            // s, with the parts of the first and last step in contact
   double peak_overlap = 0, peak_force = 0;        // m, N
   double kinetic_before = 0, kinetic_after = 0;   // J, in the frame of the common centre of mass

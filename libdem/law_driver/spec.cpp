@@ -66,7 +66,8 @@ std::shared_ptr<const Section> whole() {
                .to(89.9),
            value<&ImpactOfTest::normal_speed>("normal_speed", "m/s", "In place of speed and angle_deg.").above(0),
            value<&ImpactOfTest::tangential_speed>("tangential_speed", "m/s", "Beside normal_speed."),
-           value<&ImpactOfTest::spin>("spin", "rad/s", "Of a; a positive one moves its lowest point backwards."),
+           value<&ImpactOfTest::spin>("spin", "rad/s",
+                                      "Of a; with a positive one its point at the contact moves forwards."),
            value<&ImpactOfTest::spin_b>("spin_b", "rad/s", "Of b."),
            value<&ImpactOfTest::dt>("dt", "s", "Step; left out: that of run.dt = \"auto\".").above(0),
            value<&ImpactOfTest::steps_per_contact>("steps_per_contact", "", "In place of dt.").from(1).to(1e9),
@@ -193,8 +194,9 @@ Setup setup_of(const LawTest& test) {
 }
 
 double contact_duration(const Setup& s, double normal_speed) {
-  return impact(s.contact, s.a, s.b, {.normal_speed = normal_speed, .dt = automatic_step(s.contact, s.a, s.b)})
-      .duration;
+  const Rebound r =
+      impact(s.contact, s.a, s.b, {.normal_speed = normal_speed, .dt = automatic_step(s.contact, s.a, s.b)});
+  return r.ended ? r.duration : 2 * r.peak_time;
 }
 
 Approach approach_of(const LawTest& test, const Setup& setup) {

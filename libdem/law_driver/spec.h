@@ -56,7 +56,8 @@ struct Setup {
 };
 Setup setup_of(const LawTest& test);
 
-// Head-on: the contact's duration at the automatic step, s.
+// Head-on: the contact's duration at the automatic step, s; of one that does not end twice the time to its largest
+// overlap.
 double contact_duration(const Setup& setup, double normal_speed);
 // The approach that the test states, with its step resolved.
 Approach approach_of(const LawTest& test, const Setup& setup);

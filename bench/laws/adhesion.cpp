@@ -1,0 +1,4 @@
+#include "bench/laws/report.h"
+namespace laws {
+void adhesion(Report&) {}
+}  // namespace laws

@@ -1,0 +1,141 @@
+// Stability of one contact under leapfrog: bodies that are pressed together by a constant force and pushed a little, in
+// all three directions. The limit is contract 4's: ω² = largest eigenvalue of K^½ W K^½, W the inverse-mass matrix of
+// the contact's point (off-centre levers, rods); limit (2/ω)(sqrt(1+β²) − β).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/laws/contacts.h"
+#include "bench/laws/report.h"
+#include "shapes/math/random.h"
+
+namespace laws {
+namespace {
+
+struct Matrix {
+  double m[3][3];
+  Vec3d operator*(const Vec3d& v) const {
+    return {m[0][0] * v.x + m[0][1] * v.y + m[0][2] * v.z, m[1][0] * v.x + m[1][1] * v.y + m[1][2] * v.z,
+            m[2][0] * v.x + m[2][1] * v.y + m[2][2] * v.z};
+  }
+};
+
+// 1/m + (r×)ᵀ I⁻¹ (r×) of a body whose principal axes are those of the world.
+Matrix inverse_mass(double mass, const Vec3d& inertia, const Vec3d& lever) {
+  Matrix w{};
+  const Vec3d axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Vec3d turn = cross(lever, axes[j]);
+    const Vec3d spin{turn.x / inertia.x, turn.y / inertia.y, turn.z / inertia.z};
+    const Vec3d v = axes[j] * (1 / mass) + cross(spin, lever);
+    w.m[0][j] = v.x;
+    w.m[1][j] = v.y;
+    w.m[2][j] = v.z;
+  }
+  return w;
+}
+
+// ω² by power iteration.
+double largest(const Matrix& w, double kn, double kt) {
+  const Vec3d root{std::sqrt(kt), std::sqrt(kt), std::sqrt(kn)};
+  Vec3d v{0.5, 0.3, 0.8};
+  double value = 0;
+  for (int i = 0; i < 2000; ++i) {
+    v = scaled(root, w * scaled(root, v));
+    value = norm(v);
+    v = v * (1 / value);
+  }
+  return value;
+}
+
+struct Body {
+  const char* name;
+  Matrix w;
+};
+
+std::vector<Body> bodies() {
+  const double m = 1e-5, r = 1e-3, i = 0.4 * m * r * r;
+  // A rod of 20:2:2 mm that touches near its end, a plate near its edge, and a brick anywhere.
+  const auto brick = [m](double a, double b, double c) {
+    return Vec3d{m / 12 * (b * b + c * c), m / 12 * (a * a + c * c), m / 12 * (a * a + b * b)};
+  };
+  return {{"sphere", inverse_mass(m, {i, i, i}, {0, 0, r})},
+          {"rod, near its end", inverse_mass(m, brick(20 * r, r, r), {9.5 * r, 0.3 * r, 0.5 * r})},
+          {"plate, near its edge", inverse_mass(m, brick(10 * r, 10 * r, 0.5 * r), {4.7 * r, -3 * r, 0.25 * r})},
+          {"brick, off-centre", inverse_mass(m, brick(3 * r, 2 * r, r), {0.9 * r, 0.6 * r, 0.5 * r})}};
+}
+
+// The contact as it stands before the push: pressed to `overlap`, and for laws that yield let go a little, so that
+// small motions are elastic.
+Drive pressed(LawContact c, const Body& body, double overlap) {
+  c.radius_eff = 1e-3;
+  c.mass_eff = 1 / body.w.m[2][2];
+  Drive drive(c);
+  drive.step({.overlap = overlap});
+  if (c.model.loss == contact::Loss::plastic) drive.step({.overlap = 0.999 * overlap});
+  return drive;
+}
+
+bool is_stable(const LawContact& c, const Body& body, double overlap, double dt) {
+  Drive drive = pressed(c, body, overlap);
+  const Vec3d load = -drive.answer().force;
+  double depth = c.model.loss == contact::Loss::plastic ? 0.999 * overlap : overlap;
+  const double push = 1e-9 * overlap;
+  shapes::Random random(7, 0, 0);
+  Vec3d x{}, u = Vec3d{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)} * (push / dt);
+  for (int i = 0; i < 600; ++i) {
+    x += u * dt;
+    const auto& a = drive.step({.overlap = depth + x.z, .velocity = u, .dt = dt});
+    u += body.w * (a.force + load) * dt;
+    if (!(norm(x) < 1e4 * push)) return false;
+  }
+  return true;
+}
+
+// Largest stable step over the limit.
+double actual_over(const LawContact& c, const Body& body, double overlap, double limit) {
+  double low = 0.3, high = 4;
+  if (!is_stable(c, body, overlap, low * limit)) return 0;
+  while (high - low > 1e-4) {
+    const double middle = 0.5 * (low + high);
+    (is_stable(c, body, overlap, middle * limit) ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+void stability(Report& r) {
+  const double overlap = 1e-5;
+  r.heading("undamped: the largest stable step over the limit is 1 within 1 %; overlap 1 % of R*");
+  r.heading("damped (e = 0.6): not below 0.99; above 1 where the law lessens its dashpot for its lag");
+  for (const LawNames& n : every_law()) {
+    for (const bool damped : {false, true}) {
+      Material m = stone();
+      m.friction = 1e3;
+      if (!damped) m.restitution = 1, m.viscous_time = 0, m.rolling_viscosity = 0;
+      const LawContact c = contact_of(n, m, m, wet());
+      if (damped && c.model.damping_factor == 0 && n.normal != "viscoelastic_hertz") continue;
+      // What latches does so by its restitution: it needs one.
+      LawContact used = c;
+      if (!damped) used.pair.loading_ratio = 0.36;
+      for (const Body& body : bodies()) {
+        const Drive at = pressed(used, body, overlap);
+        const double kn = at.answer().stiffness, kt = n.tangential == "frictionless" ? 0 : at.answer().stiffness_t;
+        const double beta = used.model.damping_ratio(used.pair);
+        const double limit = 2 / std::sqrt(largest(body.w, kn, kt)) * (std::sqrt(1 + beta * beta) - beta);
+        const double ratio = actual_over(used, body, overlap, limit);
+        const std::string item = fmt::format("{}{}, {}", title(n), damped ? ", damped" : "", body.name);
+        // JKR's stiffness of contact is stated from above.
+        if (damped || n.normal == "jkr" || n.normal == "thornton_ning_adhesive")
+          r.at_least(item, 0.99, ratio);
+        else
+          r.near(item, 1, ratio, 0.01);
+        if (n.rolling != "none" || n.cohesion != "none") break;  // those add nothing to the springs
+      }
+    }
+  }
+}
+
+}  // namespace laws

@@ -1,0 +1,4 @@
+#include "bench/laws/report.h"
+namespace laws {
+void tangential(Report&) {}
+}  // namespace laws
