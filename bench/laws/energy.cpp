@@ -42,8 +42,8 @@ void energy(Report& r) {
       const double order = 0.5 * std::log2(share(full) / share(quarter));
       const std::string item =
           fmt::format("{}: at half and quarter of it {:.1e} {:.1e}; order", name, share(half), share(quarter));
-      // Forces that jump as they set in or let go are met within a step only.
-      if (damped || c.model.lingers || n.cohesion != "none")
+      // Attraction that jumps as it lets go is met within a step only.
+      if (c.model.lingers || n.cohesion != "none")
         r.note(item + " (force jumps)", order);
       else
         r.at_least(item, 1.8, order);

@@ -59,6 +59,8 @@ const Answer& Drive::step(const Move& move) {
   answer_.contact_radius = w.normal.contact_radius[0];
   answer_.stiffness = w.normal.stiffness[0];
   answer_.stiffness_t = w.normal.stiffness_t[0];
+  answer_.damping = w.normal.damping[0];
+  answer_.damping_t = w.normal.damping_t[0];
   answer_.energy = w.normal.energy[0] + w.tangential_energy[0] + w.moment_energy[0] + w.pull_energy[0];
   if (!answer_.touching) forget();
   return answer_;

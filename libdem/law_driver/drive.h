@@ -42,6 +42,7 @@ struct Answer {
   double normal = 0;                                          // on b along the normal, less attraction, N
   Vec3d tangential{};                                         // on b, N
   double contact_radius = 0, stiffness = 0, stiffness_t = 0;  // m, N/m, N/m
+  double damping = 0, damping_t = 0;                          // c of the dashpots, N s/m
   double energy = 0;                                          // stored, J
 };
 
