@@ -16,6 +16,7 @@
 #include "libdem/insertion/rain.h"
 #include "libdem/insertion/region.h"
 #include "libdem/integrators/rotation.h"
+#include "libdem/law_map.h"
 #include "libdem/laws_of_scene.h"
 #include "libdem/parts.h"
 #include "libdem/reference_stiffness.h"
@@ -228,9 +229,10 @@ double automatic_skin(const World& world) {
 double widest_hold(const World& world) {
   if (!world.law.lingers) return 0;
   double largest = 0, widest = 0;
-  for (const Motion& m : world.particles.motion) largest = std::max(largest, m.equivalent_radius);
+  for (std::size_t i = 0; i < world.particles.count(); ++i)
+    largest = std::max(largest, radius_bound(radius_bound(world, i)));
   for (const Draft& d : coming_bodies(world))
-    largest = std::max(largest, world.shapes[d.shape].equivalent_radius * d.scale);
+    largest = std::max(largest, radius_bound(radius_bound(world, d.shape, d.scale)));
   for (const PairParameters& q : world.pairs)  // R* of a wall is the largest
     if (std::isfinite(q.young_eff)) widest = std::max(widest, world.law.range(q, world.law_options, largest));
   return widest * (1 + 1e-9);
@@ -287,6 +289,7 @@ World build_world(const Scene& scene) {
         spin_of(world.particles.orientation[i], world.particles.angular_momentum[i], world.particles.inertia[i]);
   }
   check_methods(world);
+  check_map(world);
   world.skin = std::max(scene.run.skin >= 0 ? scene.run.skin : automatic_skin(world), widest_hold(world));
   check_cell(world);
   world.time_step = choose_time_step(world);

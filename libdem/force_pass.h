@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libcontact/kernels/chunk.h"
+#include "libdem/law_map.h"
 #include "libdem/world.h"
 
 namespace dem {
@@ -58,6 +59,7 @@ class ForcePass {
     wanted_.overlap_only = !world.law.lingers;  // else the gap is wanted of those that hold on
     staged_ = c_.words > 0;
     lingers_ = world.law.lingers;
+    map_ = c_.words > world.law.words + 1 ? world.scene.law.map : LawMap::automatic;
     lattice_ = world.cell.periodic ? &world.cell.lattice : nullptr;
     for (const Wall& w : world.walls) {
       contact::Body b;
@@ -128,7 +130,7 @@ class ForcePass {
 
   void run_stages(std::size_t n, bool patch, Scratch& s) const {
     contact::kernels::LawWork& w = s.work;
-    const std::size_t words = c_.words - 1;  // the last one is the energy
+    const std::size_t words = world_.law.words;  // then the map's, and last the energy
     for (std::size_t i = 0; i < n; ++i) {
       const double* memory = &c_.memory[s.record[i] * c_.words];
       for (std::size_t j = 0; j < words; ++j) w.memory[j][i] = memory[j];
@@ -144,7 +146,7 @@ class ForcePass {
     for (std::size_t i = 0; i < n; ++i) {
       double* memory = &c_.memory[s.record[i] * c_.words];
       for (std::size_t j = 0; j < words; ++j) memory[j] = w.memory[j][i];
-      memory[words] = w.normal.energy[i] + w.tangential_energy[i] + w.moment_energy[i] + w.pull_energy[i];
+      memory[c_.words - 1] = w.normal.energy[i] + w.tangential_energy[i] + w.moment_energy[i] + w.pull_energy[i];
       if (c_.ledger.empty()) continue;
       contact::Ledger& ledger = c_.ledger[s.record[i]];
       contact::book(s.law, w, i, dt_, world_.law.loss, ledger);
@@ -240,6 +242,14 @@ class ForcePass {
     s.arm_a[n] = arm_a;
     s.arm_b[n] = arm_b;
   }
+  // Lane n of contact k as the map has it; normal from a to b.
+  void apply_map(std::size_t k, std::size_t n, const contact::Body& a, const contact::Body& b, const Vec3d& normal,
+                 Scratch& s) const {
+    if (map_ != LawMap::curvature) return;
+    double& radius = c_.memory[k * c_.words + world_.law.words];
+    if (!(radius > 0)) radius = radius_of_curvature(a, b, normal, s.law.radius_eff[n]);
+    s.law.radius_eff[n] = radius;
+  }
 
   World& world_;
   Contacts& c_;
@@ -248,6 +258,7 @@ class ForcePass {
   double dt_;
   contact::Options wanted_{.overlap_only = true, .patch = true};
   bool staged_ = false, lingers_ = false;
+  LawMap map_ = LawMap::automatic;             // where records keep a word of it
   const contact::Lattice* lattice_ = nullptr;  // null: bodies have no images
   std::vector<WallFrame> walls_;
 };

@@ -245,9 +245,9 @@ class PairPass : public ForcePass {
       const contact::Patch patch = apart ? contact::Patch{.centre = 0.5 * (q.point_a + q.point_b)} : q.patch;
       gather(k, n,
              {-q.gap, q.normal, patch.centre, patch.spread, s.offset[i], s.a[i].rotation, s.b[i].rotation,
-              p_.motion[c_.index_a[k]].equivalent_radius, wall ? 0 : p_.motion[c_.index_b[k]].equivalent_radius,
-              patch.centre},
+              law_radius(world_, c_.index_a[k]), wall ? 0 : law_radius(world_, c_.index_b[k]), patch.centre},
              s);
+      apply_map(k, n, s.a[i], s.b[i], q.normal, s);
       // Sharp edges turn a normal by more than a right angle, regions change places.
       if (!bin.regions && dot(c_.history[k].normal, q.normal) < -0.9)
         s.through.push_back(static_cast<std::uint32_t>(k));

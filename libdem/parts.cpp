@@ -2,6 +2,7 @@
 
 #include "libcontact/methods/point_polyhedron.h"
 #include "libcontact/scale.h"
+#include "libdem/law_map.h"
 #include "shapes/geometry.h"
 
 namespace dem {
@@ -25,8 +26,9 @@ shapes::Kind part_kind(const World& world, std::size_t i, std::uint32_t part) {
 
 double part_radius(const World& world, std::size_t i, std::uint32_t part) {
   const shapes::Compound* c = compound_of(world, i);
-  if (c == nullptr || c->parts[part].kind == shapes::Compound::PartKind::polyhedron)
-    return world.particles.motion[i].equivalent_radius;
+  if (c == nullptr) return law_radius(world, i);
+  if (c->parts[part].kind == shapes::Compound::PartKind::polyhedron)
+    return law_radius(world, shapes::Kind::polyhedron, {}, world.particles.motion[i].equivalent_radius);
   return c->parts[part].equivalent_radius * world.particles.size[i].x;
 }
 

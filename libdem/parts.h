@@ -19,7 +19,7 @@ struct PartBody {
   contact::Body body;
   Vec3d centre;   // relative to the body's centre, world axes, m
   double radius;  // of curvature, as laws of spheres take it: that of the part where it is round, else the equivalent
-                  // radius of the whole body, which does not depend on how it was cut, m
+                  // radius of the whole body, which does not depend on how it was cut, or what law.map gives, m
 };
 // `rotation`: of body i, body axes -> world axes.
 PartBody part_body(const World& world, std::size_t i, std::uint32_t part, const Mat3d& rotation);

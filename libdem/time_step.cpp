@@ -12,6 +12,7 @@
 
 #include "libdem/build.h"
 #include "libdem/insertion/rain.h"
+#include "libdem/law_map.h"
 #include "libdem/parts.h"
 
 namespace dem {
@@ -61,7 +62,8 @@ Stiffness stiffness_of(const World& world, std::size_t k, double overlap) {
   const std::uint32_t a = c.index_a[k], b = c.index_b[k];
   const double radius_a = part_radius(world, a, c.key[k].part_a);
   const double radius_b = wall ? 0 : part_radius(world, b, c.key[k].part);
-  const double radius = wall ? radius_a : radius_a * radius_b / (radius_a + radius_b);
+  double radius = wall ? radius_a : radius_a * radius_b / (radius_a + radius_b);
+  if (const double kept = kept_by_map(world, k); kept > 0) radius = kept;
   const Stiffness s = stiffness_at(world, pair_of(world, k), radius, overlap);
   const double share = c.share.empty() ? 1 : c.share[k];
   return {share * s.n, share * s.t};
@@ -156,18 +158,21 @@ std::vector<PairLimit> pair_limits(const World& world, const std::vector<BodyGro
   };
   std::vector<Compliance> yields;
   std::vector<double> radii;
+  std::vector<RadiusBound> curved;
   for (const BodyGroup& g : groups) {
     yields.push_back(compliance(world, g.light));
     radii.push_back(world.particles.motion[g.light].equivalent_radius);
+    curved.push_back(radius_bound(world, g.light));
   }
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const double r = radii[g];
     for (std::size_t o = g; o < groups.size(); ++o)
       add(g, o, false, {yields[g].normal + yields[o].normal, yields[g].tangential + yields[o].tangential},
-          r * radii[o] / (r + radii[o]), std::min(r, radii[o]),
+          radius_bound(curved[g], curved[o]), std::min(r, radii[o]),
           world.pairs[groups[g].material * materials + groups[o].material]);
     for (std::size_t w = 0; w < world.walls.size(); ++w)
-      add(g, w, true, yields[g], r, r, world.pairs[groups[g].material * materials + world.walls[w].material]);
+      add(g, w, true, yields[g], radius_bound(curved[g]), r,
+          world.pairs[groups[g].material * materials + world.walls[w].material]);
   }
   return list;
 }

@@ -8,6 +8,7 @@
 #include "libdem/broad_phase/cells.h"
 #include "libdem/broad_phase/part_candidates.h"
 #include "libdem/detection.h"
+#include "libdem/law_map.h"
 
 namespace dem {
 namespace {
@@ -215,7 +216,8 @@ void fill_bins(World& world) {
 // Room for what the laws remember; the fused kernels need none.
 void prepare_memory(World& world) {
   Contacts& c = world.contacts;
-  c.words = world.law.fused() && !world.scene.law.ledger ? 0 : world.law.words + 1;
+  const std::size_t of_map = map_words(world);
+  c.words = world.law.fused() && !world.scene.law.ledger && of_map == 0 ? 0 : world.law.words + of_map + 1;
   c.memory.assign(c.history.size() * c.words, 0);
   if (world.scene.law.ledger) c.ledger.assign(c.history.size(), {});
 }

@@ -130,7 +130,7 @@ class PlanarRules {
         contact::named_laws[static_cast<std::size_t>(scene_.law.name)].hertzian && scene_.law.map == LawMap::automatic)
       wrong("law", 0, "name",
             "is a law of spheres and the bodies are prisms; allowed: spring_dashpot, or law.map = "
-            "\"equivalent_radius\", or world.disc_model = \"sphere\"");
+            "\"equivalent_radius\" or another that gives it a radius, or world.disc_model = \"sphere\"");
   }
 
   // The named entries of a list must vanish.

@@ -92,13 +92,14 @@ enum class LawName {
 };
 inline constexpr std::size_t law_name_count = 10;
 
-// How a law of spheres finds its radius on other bodies.
-enum class LawMap { automatic, equivalent_radius };
+// How a law of spheres finds its radius on other bodies: law_map.h.
+enum class LawMap { automatic, equivalent_radius, curvature, edge_radius };
 
 struct LawSpec {
   LawName name = LawName::hertz_mindlin;
   std::string normal, tangential, rolling, cohesion;  // in place of those of the combination; empty: its own
   LawMap map = LawMap::automatic;
+  double edge_radius = 0;      // m, of map edge_radius
   bool rescale = true;         // shorten the tangential spring when the contact radius shrinks
   bool clip = true;            // contacts end at zero force, else at zero overlap
   bool deficit = true;         // mindlin_deresiewicz: remember the slip that an increment did not make

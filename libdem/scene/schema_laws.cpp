@@ -41,8 +41,14 @@ std::vector<Key> law_keys() {
           .one_of(names_of<contact::CohesionLaws>()),
       word<&LawSpec::map>("map",
                           "Radius that a law of spheres takes on other bodies; auto = that of the sphere of equal "
-                          "volume, and none on prisms; equivalent_radius: on prisms that of the disc of equal area.",
-                          {"auto", "equivalent_radius"}),
+                          "volume, and none on prisms; equivalent_radius: on prisms that of the disc of equal area; "
+                          "curvature: of the elliptical Hertz contact at the first touch; edge_radius: law.edge_radius "
+                          "on flat-faced bodies. See dem list maps.",
+                          {"auto", "equivalent_radius", "curvature", "edge_radius"}),
+      value<&LawSpec::edge_radius>("edge_radius", "m", "Radius to which edges and corners are rounded.")
+          .above(0)
+          .when("map", {"edge_radius"})
+          .must(),
       value<&LawSpec::rescale>("rescale", "", "Shorten the tangential spring when the contact radius shrinks.")
           .when("name", combinations(true)),
       value<&LawSpec::clip>("clip", "",

@@ -1,0 +1,223 @@
+// What laws take of the shapes that meet: law.map.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "libdem/broad_phase/candidates.h"
+#include "libdem/forces.h"
+#include "libdem/law_map.h"
+#include "libdem/scene/where.h"
+#include "tests/libdem/scenes_planar.h"
+
+namespace dem {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Scene elastic(const std::vector<ShapeSpec>& shapes, LawMap map) {
+  Scene s;
+  s.law.map = map;
+  s.materials = {scenes::material("glass", 7e10, 2500, 1, 0)};
+  s.materials[0].poisson = 0.3;
+  s.shapes = shapes;
+  s.run.steps = 1;
+  s.run.dt = 1e-9;
+  s.run.dt_auto = false;
+  s.run.max_initial_overlap = 1;
+  s.run.skin = 2 * shapes[0].radius;
+  return s;
+}
+// E* of two of them.
+constexpr double young_eff = 7e10 / (2 * (1 - 0.3 * 0.3));
+
+// Moves a body by hand and asks for the forces as they stand.
+void place(World& w, std::size_t i, const Vec3d& position, const Quatd& orientation) {
+  w.particles.motion[i].position = position;
+  w.particles.orientation[i] = orientation;
+}
+void answer(World& w) {
+  rebuild_candidates(w, 1);
+  compute_forces(w, 1, 0);
+  sum_forces(w, 1);
+}
+
+// A body that goes round a closed path: of time u in [0, 1), with its rates.
+struct Pose {
+  Vec3d position, velocity;
+  Quatd orientation;
+  Vec3d spin;
+};
+struct Lap {
+  double work = 0;    // of the force on the body, J: what the contact gives
+  double stored = 0;  // largest, J
+};
+// `before` is called before each look at the forces. The rule of trapezoids: of a smooth closed path its error falls
+// faster than any power.
+template <class Path, class Before>
+Lap lap(World& w, std::size_t moving, const Path& path, int steps, const Before& before) {
+  Lap out;
+  for (int i = 0; i < steps; ++i) {
+    const Pose p = path(static_cast<double>(i) / steps);
+    place(w, moving, p.position, p.orientation);
+    before(w);
+    answer(w);
+    const Vec3d& f = w.particles.force[moving];
+    out.work += (dot(f, p.velocity) + dot(w.particles.torque[moving], p.spin)) / steps;
+    out.stored = std::max(out.stored, energies(w).elastic);
+  }
+  return out;
+}
+const auto as_it_is = [](World&) {};
+
+// A 2:1:1 ellipsoid, tilted between 0.2 and 0.5 rad and pressed in more and less, a quarter lap behind, while it rolls
+// along its shape: over a floor, or over the middle of another one that lies there.
+struct Rolling {
+  double floor;  // m, height of what it rolls over
+  Pose operator()(double u) const {
+    const double w = 2 * pi, angle = 0.35 + 0.15 * std::sin(w * u), rate = 0.15 * w * std::cos(w * u);
+    const double s = std::sin(angle), c = std::cos(angle), a2 = 4e-6, b2 = 1e-6;
+    const double h = std::sqrt(a2 * s * s + b2 * c * c), dh = (a2 - b2) * s * c / h;  // to the lowest point, of angle
+    const double x = (a2 - b2) * s * c / h, dx = (a2 - b2) * (c * c - s * s) / h - x * dh / h;  // how far before it
+    const double deep = 1e-5 * (1 + 0.7 * std::cos(w * u)), sinks = -0.7e-5 * w * std::sin(w * u);
+    return {
+        {-x, 0, floor + h - deep}, {-dx * rate, 0, dh * rate - sinks}, scenes::turn({0, 1, 0}, angle), {0, rate, 0}};
+  }
+};
+
+TEST(LawMaps, FixedCurvatureGivesNothing) {
+  for (const bool pair : {false, true}) {
+    Scene s = elastic({scenes::ellipsoid("egg", {0.002, 0.001, 0.001})}, LawMap::curvature);
+    s.run.skin = 0.004;
+    const Rolling path{pair ? 0.001 : 0};
+    s.bodies = {scenes::body("egg", "glass", {0, 0, 0.1})};
+    if (pair) s.bodies.push_back(scenes::body("egg", "glass", {}));
+    if (!pair) s.walls = {scenes::plane("floor", "glass", {}, {0, 0, 1})};
+    World w = build_world(s);
+    const std::size_t moving = scenes::place(w, 0);
+    const Lap fixed = lap(w, moving, path, 256, as_it_is);
+    ASSERT_EQ(std::count(w.contacts.touching.begin(), w.contacts.touching.end(), 1), 1);
+    EXPECT_NEAR(fixed.work / fixed.stored, 0, 1e-10);
+    const Lap finer = lap(w, moving, path, 512, as_it_is);
+    EXPECT_NEAR(finer.work / finer.stored, 0, 1e-10);
+    // Read anew at every step it gives or takes work: the test can see that.
+    const auto forget = [](World& world) {
+      std::fill(world.contacts.memory.begin(), world.contacts.memory.end(), 0.0);
+    };
+    const Lap naive = lap(w, moving, path, 256, forget);
+    EXPECT_GT(std::abs(naive.work), 0.1 * naive.stored);
+    RecordProperty(pair ? "pair, fixed" : "floor, fixed", std::to_string(fixed.work / fixed.stored));
+    RecordProperty(pair ? "pair, naive" : "floor, naive", std::to_string(naive.work / naive.stored));
+  }
+}
+
+// Johnson's ellipse, by the figures of an ellipsoid (2, 1, 1) mm pressed on a rigid flat along a short axis and on its
+// tip: 10 N at these overlaps.
+TEST(LawMaps, EllipticalHertz) {
+  for (const auto& [overlap, turn, height] :
+       {std::tuple(2.60050e-6, 0.0, 0.001), std::tuple(4.23687e-6, pi / 2, 0.002)}) {
+    Scene s = elastic({scenes::ellipsoid("egg", {0.002, 0.001, 0.001})}, LawMap::curvature);
+    s.materials[0].young = 38.46e9 * (1 - 0.3 * 0.3);
+    s.materials.push_back(scenes::material("rigid", 0, 2500, 1, 0));
+    s.materials[1].rigid = true;
+    s.walls = {scenes::plane("floor", "rigid", {}, {0, 0, 1})};
+    s.bodies = {scenes::body("egg", "glass", {0, 0, height - overlap}, {}, {}, scenes::turn({0, 1, 0}, turn))};
+    const World w = build_world(s);
+    EXPECT_NEAR(w.particles.force[0].z, 10, 10 * 1.5 * 0.5e-11 / overlap);
+    EXPECT_NEAR(energies(w).elastic, 0.4 * w.particles.force[0].z * overlap, 1e-12 * overlap);
+  }
+}
+
+// Where all that meets is a sphere or a flat wall, not a bit changes; in stages too, when another shape is there.
+TEST(LawMaps, SpheresKeepTheirBits) {
+  for (const bool others : {false, true}) {
+    Scene s = scenes::every_shape(40);
+    s.fills[0].items = {{"ball", "soft", 1, 0.7, 1.0}};
+    if (!others) s.shapes.resize(1);
+    s.law.map = LawMap::automatic;
+    const World before = scenes::run(s, 400);
+    s.law.map = LawMap::curvature;
+    const World after = scenes::run(s, 400);
+    EXPECT_EQ(after.contacts.words > 0, others);
+    EXPECT_GT(before.counters.contact_steps, 1000u);
+    EXPECT_EQ(before.counters.contact_steps, after.counters.contact_steps);
+    for (std::uint64_t id = 0; id < 40; ++id) {
+      EXPECT_EQ(scenes::motion(before, id).position, scenes::motion(after, id).position);
+      EXPECT_EQ(scenes::motion(before, id).spin, scenes::motion(after, id).spin);
+    }
+  }
+}
+
+// The word of the map lives with the record: the same bits for any list, thread count and restart.
+TEST(LawMaps, CurvatureIsPartOfTheState) {
+  Scene s = scenes::every_shape(60);
+  s.law.map = LawMap::curvature;
+  s.fills[0].items = {{"ball", "soft", 1, 0.7, 1.0}, {"egg", "hard", 2, 0.7, 1.0}};
+  const World one = scenes::run(s, 400);
+  EXPECT_GT(one.counters.contact_steps, 1000u);
+  const std::uint64_t hash = state_hash(one);
+  World resumed = build_world(s);
+  load_state(resumed, save_state(scenes::run(s, 200)));
+  for (int i = 0; i < 200; ++i) advance(resumed, 1);
+  EXPECT_EQ(state_hash(resumed), hash);
+  s.run.rebuild_every = 1;
+  EXPECT_EQ(state_hash(scenes::run(s, 400, 2)), hash);
+}
+
+TEST(LawMaps, EdgeRadius) {
+  constexpr double edge = 1e-4, overlap = 1e-6;
+  const double hertz = 4.0 / 3.0 * young_eff * overlap * std::sqrt(overlap);
+  const auto force = [&](const std::vector<ShapeSpec>& shapes, const std::string& a, const std::string& b,
+                         double distance) {
+    Scene s = elastic(shapes, LawMap::edge_radius);
+    s.law.edge_radius = edge;
+    s.run.skin = 0.002;
+    s.bodies = {scenes::body(a, "glass", {0, 0, 0}), scenes::body(b, "glass", {0, 0, distance - overlap})};
+    return build_world(s).particles.force[1].z;
+  };
+  const std::vector<ShapeSpec> shapes = {scenes::box("cube", {0.002, 0.002, 0.002}), scenes::sphere("ball", 0.001)};
+  EXPECT_NEAR(force(shapes, "cube", "cube", 0.002), hertz * std::sqrt(edge / 2), 1e-9 * hertz);
+  EXPECT_NEAR(force(shapes, "cube", "ball", 0.002), hertz * std::sqrt(edge * 0.001 / (edge + 0.001)), 1e-9 * hertz);
+  EXPECT_NEAR(force(shapes, "ball", "ball", 0.002), hertz * std::sqrt(0.0005), 1e-9 * hertz);
+  // Prisms 10 mm thick that touch along it, by the same law.
+  Scene s = scenes::plane_scene(1, 0);
+  s.law.name = LawName::hertz_mindlin;
+  s.law.map = LawMap::edge_radius;
+  s.law.edge_radius = edge;
+  s.gravity = {};
+  s.materials[0].young = 7e10;
+  s.materials[0].poisson = 0.3;
+  s.shapes = {scenes::regular_polygon("square", 4, 0.001 * std::sqrt(2))};
+  s.walls = {scenes::line("floor", {}, {0, 1, 0})};
+  s.run.max_initial_overlap = 1;
+  double least = 1;  // one of both lies on a side
+  for (const double angle : {0.0, pi / 4}) {
+    s.bodies = {scenes::body("square", "soft", {0, 0.001 - overlap, 0}, {}, {}, scenes::turn({0, 0, 1}, angle))};
+    const double deep = hertz * std::sqrt(edge);
+    least = std::min(least, std::abs(build_world(s).particles.force[0].y / deep - 1));
+  }
+  EXPECT_LT(least, 1e-9);
+}
+
+// Refused before the run, by names of shape and map.
+std::string refusal(const Scene& s) {
+  try {
+    build_world(s);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(LawMaps, Refusals) {
+  Scene s = elastic({scenes::box("brick", {0.002, 0.002, 0.002}), scenes::ellipsoid("egg", {0.002, 0.001, 0.001})},
+                    LawMap::curvature);
+  s.bodies = {scenes::body("egg", "glass", {}), scenes::body("brick", "glass", {0, 0, 1})};
+  const std::string found = refusal(s);
+  for (const char* word : {"law.map = \"curvature\"", "shape \"brick\"", "no curvature", "dem list maps"})
+    EXPECT_NE(found.find(word), std::string::npos) << found;
+  s.bodies.pop_back();
+  EXPECT_EQ(refusal(s), "");
+}
+
+}  // namespace
+}  // namespace dem
