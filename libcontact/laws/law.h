@@ -106,7 +106,7 @@ struct PairParameters : PairOf<double> {
 struct LawOptions {
   bool rescale = true;         // shorten the tangential spring when the contact radius shrinks
   bool clip = true;            // a contact ends at zero force; else at zero overlap: until then its dashpot may pull
-  bool deficit = true;         // hertz_mindlin_deresiewicz: a memory of the slip that an increment did not make
+  bool deficit = false;        // hertz_mindlin_deresiewicz: a memory of the slip that an increment did not make
   double surface_tension = 0;  // of the liquid in bridges, N/m
   double bridge_volume = 0;    // of one liquid bridge, m³
 };

@@ -24,14 +24,17 @@
 #include "libcontact/laws/rolling/rolling_viscous.h"
 #include "libcontact/laws/tangential/coulomb_spring.h"
 #include "libcontact/laws/tangential/frictionless.h"
+#include "libcontact/laws/tangential/latching_tangential.h"
 #include "libcontact/laws/tangential/memory_diagram.h"
 #include "libcontact/laws/tangential/mindlin_deresiewicz.h"
+#include "libcontact/laws/tangential/thornton_peeling.h"
 
 namespace contact {
 
 using NormalLaws = std::tuple<Linear, Hertz, ViscoelasticHertz, LatchingSpring, AdhesivePlasticSpring, ThorntonNing,
                               Jkr, ThorntonNingAdhesive>;
-using TangentialLaws = std::tuple<CoulombSpring, MindlinDeresiewicz, MemoryDiagram, Frictionless>;
+using TangentialLaws =
+    std::tuple<CoulombSpring, MindlinDeresiewicz, MemoryDiagram, LatchingTangential, ThorntonPeeling, Frictionless>;
 using RollingLaws = std::tuple<NoRolling, RollingConstant, RollingViscous, RollingSpring>;
 using CohesionLaws = std::tuple<NoCohesion, ConstantCohesion, Dmt, LiquidBridge, LiquidBridgeRabinovich>;
 
@@ -57,6 +60,10 @@ inline constexpr NamedLaw named_laws[] = {
      "Box 9.1, micro-slip step by step"},
     {"mindlin_deresiewicz_exact", "hertz", "memory_diagram", "none", "none", true, true,
      "micro-slip, exact for any path of loading"},
+    {"jkr_thornton", "jkr", "thornton_peeling", "none", "none", true, true,
+     "Box 9.2, sticky elastic spheres, peeling before sliding"},
+    {"partially_latching_spring", "latching_spring", "latching_tangential", "none", "none", true, false,
+     "(9.29)-(9.34), restitution by plastic flattening"},
     {"thornton_ning", "thornton_ning", "coulomb_spring", "none", "none", false, true, "elastic-plastic spheres"},
     {"thornton_ning_adhesive", "thornton_ning_adhesive", "coulomb_spring", "none", "none", false, true,
      "elastic-plastic, sticky spheres"},

@@ -84,13 +84,15 @@ enum class LawName {
   hertz_mindlin,
   hertz_mindlin_deresiewicz,
   mindlin_deresiewicz_exact,
+  jkr_thornton,
+  partially_latching_spring,
   thornton_ning,
   thornton_ning_adhesive,
   viscoelastic_hertz,
   adhesive_plastic_spring,
   dmt,
 };
-inline constexpr std::size_t law_name_count = 10;
+inline constexpr std::size_t law_name_count = 12;
 
 // How a law of spheres finds its radius on other bodies: law_map.h.
 enum class LawMap { automatic, equivalent_radius, curvature, edge_radius };
@@ -102,7 +104,7 @@ struct LawSpec {
   double edge_radius = 0;      // m, of map edge_radius
   bool rescale = true;         // shorten the tangential spring when the contact radius shrinks
   bool clip = true;            // contacts end at zero force, else at zero overlap
-  bool deficit = true;         // mindlin_deresiewicz: remember the slip that an increment did not make
+  bool deficit = false;        // mindlin_deresiewicz: remember the slip that an increment did not make
   bool ledger = false;         // book the work of every mechanism
   double reference_speed = 0;  // m/s: stiffness of linear laws from moduli, bodies and this, (9.22); 0: as given
   double surface_tension = 0;  // N/m, liquid bridges

@@ -15,6 +15,12 @@ std::vector<Row> mass_ratios(const std::string&law), size_ratios(const std::stri
 
 namespace {
 
+// Laws whose restitution is that of a dashpot beside an elastic spring, and nothing else.
+bool restitution_by_dashpot(const contact::NamedLaw& l) {
+  return l.damped && (l.normal == contact::Linear::name || l.normal == contact::Hertz::name) &&
+         l.cohesion == contact::NoCohesion::name;
+}
+
 bool hertzian(const std::string& law) {
   for (const contact::NamedLaw& l : contact::named_laws)
     if (l.name == law) return l.hertzian;
@@ -86,8 +92,7 @@ Rows poisson(const std::string& law) {
                   .set("body[0].velocity", Vec3d{vt, 0, -vn})
                   .build();
     const PairParameters& q = w.pairs[1];  // small on floor
-    const double ratio =
-        hertzian(law) ? 4 * q.shear_eff / q.young_eff : q.stiffness_t / q.stiffness_n;
+    const double ratio = hertzian(law) ? 4 * q.shear_eff / q.young_eff : q.stiffness_t / q.stiffness_n;
     rows.push_back(right(fmt::format("nu {}: kt/kn", nu), ratio, 2 * (1 - nu) / (2 - nu), 1e-14));
     until_parted(w);
     const Motion m = motion_of(w, 0);
@@ -244,7 +249,7 @@ const std::vector<LawExtreme>& law_extremes() {
 std::vector<std::string> law_names() {
   std::vector<std::string> names;
   for (const contact::NamedLaw& l : contact::named_laws)
-    if (l.damped) names.emplace_back(l.name);
+    if (restitution_by_dashpot(l)) names.emplace_back(l.name);
   return names;
 }
 

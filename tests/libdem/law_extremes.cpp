@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -34,10 +35,10 @@ INSTANTIATE_TEST_SUITE_P(List, LawExtremes,
                            return std::get<0>(p.param) + "_" + validate::law_extremes()[std::get<1>(p.param)].name;
                          });
 
-TEST(LawList, EveryLawWithARestitutionIsThere) {
-  EXPECT_EQ(validate::law_names().size(),
-            static_cast<std::size_t>(std::count_if(std::begin(contact::named_laws), std::end(contact::named_laws),
-                                                   [](const contact::NamedLaw& l) { return l.damped; })));
+TEST(LawList, TheDashpotsAreThere) {
+  const std::vector<std::string> names = validate::law_names();
+  for (const char* name : {"spring_dashpot", "hertz_mindlin", "hertz_mindlin_deresiewicz", "mindlin_deresiewicz_exact"})
+    EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
 }
 
 constexpr double radius = 0.01, stiffness = 1e4;
