@@ -55,7 +55,8 @@ struct Measured {
 std::vector<Measured> read_measured(const std::string& file, const LawTest& test) {
   const io::Table t = io::read_csv(file);
   for (const std::string& c : t.columns) {
-    static const std::vector<std::string> motion{"speed", "angle_deg", "normal_speed", "tangential_speed", "spin"};
+    static const std::vector<std::string> motion{"speed",        "angle_deg",        "impact_angle_deg",
+                                                 "normal_speed", "tangential_speed", "spin"};
     const bool known =
         std::find(motion.begin(), motion.end(), c) != motion.end() ||
         std::any_of(std::begin(quantities), std::end(quantities), [&](const Quantity& q) { return c == q.name; });
@@ -76,6 +77,7 @@ std::vector<Measured> read_measured(const std::string& file, const LawTest& test
     if (take("speed", i.speed)) i.normal_speed = 0;
     if (take("normal_speed", i.normal_speed)) i.speed = i.angle_deg = 0;
     take("angle_deg", i.angle_deg);
+    take("impact_angle_deg", i.angle_deg);
     take("tangential_speed", i.tangential_speed);
     take("spin", i.spin);
     if (!(i.normal() > 0) || std::abs(i.angle_deg) >= 90)

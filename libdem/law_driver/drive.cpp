@@ -92,10 +92,15 @@ double Drive::lost() const {
 }
 
 double stable_step(const LawContact& contact, double overlap, double inverse_mass_n, double inverse_mass_t) {
-  const contact::Stiffness k = contact.model.stiffness(contact.pair, contact.options, contact.radius_eff, overlap);
-  const double beta = contact.model.damping_ratio(contact.pair);
-  const double tangential = contact.pair.friction > 0 ? k.t * inverse_mass_t : 0;
-  return 2 / std::sqrt(std::max(k.n * inverse_mass_n, tangential)) * (std::sqrt(1 + beta * beta) - beta);
+  Drive drive(contact);
+  const Answer& a = drive.step({.overlap = overlap});
+  const auto limit = [](double stiffness, double damping, double inverse_mass) {
+    const double omega = std::sqrt(stiffness * inverse_mass), beta = 0.5 * damping * inverse_mass / omega;
+    return 2 / omega * (std::sqrt(1 + beta * beta) - beta);
+  };
+  const double normal = limit(a.stiffness, a.damping, inverse_mass_n);
+  if (!(contact.pair.friction > 0) || !(a.stiffness_t > 0)) return normal;
+  return std::min(normal, limit(a.stiffness_t, a.damping_t, inverse_mass_t));
 }
 
 }  // namespace dem::law_driver

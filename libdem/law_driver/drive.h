@@ -69,8 +69,11 @@ class Drive {
   Answer answer_;
 };
 
-// The step that contract 4 of the scene allows one contact of the laws: (2/ω)(sqrt(1+β²) − β), ω² the larger one of
-// kn wn and kt wt at this overlap, w the inverse masses of the contact's point, 1/kg.
+// Largest stable step of a contact of this overlap: of the normal and of the sticking mode, with their inverse masses w
+// (1/kg) at the contact's point, the smaller
+//   (2/ω)(sqrt(1 + β²) − β),   ω² = k w,   β = c w/(2 ω)                                  [s]
+// The dashpots are those of the contact's m*: with the 7/2 of a ball that sticks, β is 1.87 times that along the
+// normal.
 double stable_step(const LawContact& contact, double overlap, double inverse_mass_n, double inverse_mass_t);
 
 }  // namespace dem::law_driver

@@ -189,7 +189,7 @@ double automatic_step(LawContact contact, const Ball& a, const Ball& b, double f
     n += 1 / b.mass;
     t += 1 / b.mass + b.radius * b.radius / b.inertia;
   }
-  return fraction * stable_step(contact, overlap_share * smaller, rows * n, rows * t);
+  return fraction * stable_step(contact, overlap_share * smaller, n, t) / std::sqrt(rows);
 }
 
 }  // namespace dem::law_driver

@@ -6,8 +6,6 @@
 #include <filesystem>
 #include <numbers>
 
-#include "libcontact/laws/mix.h"
-#include "libdem/laws_of_scene.h"
 #include "libdem/scene/reader.h"
 #include "libdem/scene/rules.h"
 #include "libdem/scene/schema_bind.h"
@@ -170,43 +168,6 @@ LawTest load_law_test(const std::string& file) {
   TestRules(context, test).check();
   errors.throw_if_any();
   return test;
-}
-
-Setup setup_of(const LawTest& test) {
-  const auto& materials = test.scene.materials;
-  const auto index = [&](const std::string& name, std::size_t otherwise) {
-    for (std::size_t i = 0; i < materials.size(); ++i)
-      if (materials[i].name == name) return i;
-    return otherwise;
-  };
-  const std::size_t i = index(test.a.material, 0), j = index(test.b.material, materials.size() - 1);
-  const LawSpec& law = test.scene.law;
-  Setup s{{law_model_of(law), contact::mix(material_of(materials[i], law), material_of(materials[j], law), law.clip),
-           law_options_of(law)},
-          solid_ball(test.a.radius, test.a.mass),
-          test.b.radius > 0 ? solid_ball(test.b.radius, test.b.mass) : Ball{}};
-  for (const MaterialPairSpec& p : test.scene.pairs)
-    if ((p.a == materials[i].name && p.b == materials[j].name) ||
-        (p.b == materials[i].name && p.a == materials[j].name))
-      override_pair(s.contact.pair, p, law.clip);
-  set_bodies(s.contact, s.a, s.b);
-  return s;
-}
-
-double contact_duration(const Setup& s, double normal_speed) {
-  const Rebound r =
-      impact(s.contact, s.a, s.b, {.normal_speed = normal_speed, .dt = automatic_step(s.contact, s.a, s.b)});
-  return r.ended ? r.duration : 2 * r.peak_time;
-}
-
-Approach approach_of(const LawTest& test, const Setup& setup) {
-  const ImpactOfTest& i = test.impact;
-  Approach a{i.normal(), i.tangential(), i.spin, i.spin_b, i.dt, i.phase};
-  if (i.steps_per_contact > 0)
-    a.dt = contact_duration(setup, a.normal_speed) / i.steps_per_contact;
-  else if (!(a.dt > 0))
-    a.dt = automatic_step(setup.contact, setup.a, setup.b);
-  return a;
 }
 
 }  // namespace dem::law_driver
