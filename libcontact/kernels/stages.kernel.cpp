@@ -27,6 +27,11 @@ void store_state(LawWork& w, std::size_t i, std::size_t first, const State& s, s
   const Pack* word = reinterpret_cast<const Pack*>(&s);
   for (std::size_t j = skip; j < words<State>; ++j) store(w.memory[first + j - skip], i, word[j]);
 }
+template <class State, class Mask>
+void wipe(State& s, const Mask& where) {
+  Pack* word = reinterpret_cast<Pack*>(&s);
+  for (std::size_t j = 0; j < words<State>; ++j) word[j] = select(where, Pack(0), word[j]);
+}
 // The leading vectors of a state, turned as the contact frame turned.
 template <class Law, class State>
 void carry(State& s, const LawChunk& c, std::size_t i, const V& normal, const Pack& angle) {
@@ -41,10 +46,16 @@ NormalForce<Pack> load(const NormalForce<Lane>& lanes, std::size_t i) {
   return f;
 }
 
+// Lanes that only cohesion holds.
+auto apart(const LawWork& w, std::size_t i) {
+  return !(load(w.depth, i) > Pack(0)) && load(w.normal.bond, i) == Pack(0);
+}
+
 Kinematics<Pack> seen(const LawChunk& c, const LawWork& w, std::size_t i, const StageCall& call) {
   Kinematics<Pack> k = kinematics(c, i, load(w.depth, i), Pack::mask_type(false), Pack(call.dt), true);
   k.dt_contact = load(w.dt_contact, i);
   k.onset = load(w.onset, i);
+  k.overlap_before = load(w.overlap_before, i);
   k.relative_spin = load(c.relative_spin, i);
   return k;
 }
@@ -66,6 +77,7 @@ __attribute__((flatten)) void normal_stage(LawChunk& c, LawWork& w, std::size_t 
     store(w.dt_contact, i, k.dt_contact);
     store(w.onset, i, k.onset);
     k.overlap_before = select(fresh, Pack(0), k.overlap_before);
+    store(w.overlap_before, i, k.overlap_before);
     k.closing_speed *= gain;
     k.mass_eff /= gain * gain;
     NormalForce<Pack> f = Law::update(load(c.pair, i), k, *call.options, s);
@@ -75,8 +87,9 @@ __attribute__((flatten)) void normal_stage(LawChunk& c, LawWork& w, std::size_t 
     f.stiffness *= gain * gain;
     f.damping *= gain * gain;
     if constexpr (!law_adheres<Law>) {  // a record may be there for its cohesion alone
-      const auto apart = !(depth > Pack(0));
-      each_of_normal_force(f, f, [&](Pack& x, const Pack&) { x = select(apart, Pack(0), x); });
+      const auto none = !(depth > Pack(0));
+      each_of_normal_force(f, f, [&](Pack& x, const Pack&) { x = select(none, Pack(0), x); });
+      wipe(s, none);
     }
     each_of_normal_force(w.normal, f, [i](Lane& l, const Pack& x) { store(l, i, x); });
     store_state(w, i, call.memory, s);
@@ -94,6 +107,7 @@ __attribute__((flatten)) void tangential_stage(LawChunk& c, LawWork& w, std::siz
     const TangentialForce<Pack> f = Law::update(load(c.pair, i), k, load(w.normal, i), *call.options, s);
     store(w.tangential, i, f.force);
     store(w.tangential_energy, i, f.energy);
+    wipe(s, apart(w, i));
     store(c.history_force, i, s.force);
     store_state(w, i, call.memory, s, 3);
   }
@@ -109,6 +123,7 @@ __attribute__((flatten)) void rolling_stage(LawChunk& c, LawWork& w, std::size_t
     const Moment<Pack> m = Law::update(load(c.pair, i), k, load(w.normal, i), *call.options, s);
     store(w.moment, i, m.moment);
     store(w.moment_energy, i, m.energy);
+    wipe(s, apart(w, i));
     store_state(w, i, call.memory, s);
   }
 }
