@@ -64,8 +64,8 @@ struct MindlinDeresiewicz {
     const Vec3<T> t = choose(begun, s.axis, slip * select(moves, one / select(moves, distance, one), zero));
     const T ft = dot(s.force, t), d = dot(slip, t);
 
-    // Which branch: a turn is a slip against it, beyond rounding.
-    const T rounding = T(0x1p-40) * distance;
+    // Which branch: a turn is a slip against it, beyond rounding of the step's slip and of that to gross slip.
+    const T rounding = T(0x1p-40) * larger(distance, limit * compliance);
     const auto back = d<-rounding, forth = d> rounding, was_unloading = s.turned == one;
     const auto first_turn = s.turned == zero && back, second_turn = was_unloading && forth;
     const auto unloads = back || (was_unloading && !forth), reloads = (s.turned == T(2) && !back) || second_turn;
