@@ -35,6 +35,11 @@ struct Change {  // a contact that came or went in a step
   std::array<double, contact::mechanism_count> lost{};  // J, over its time, of law.ledger
 };
 
+struct Gone {  // a contact that has ended, and what it lost
+  Key key;
+  std::array<double, contact::mechanism_count> lost{};  // J
+};
+
 // The records of one pair of kinds, answered by one function: dispatch happens here, never per pair.
 struct Bin {
   shapes::Kind a = shapes::Kind::sphere, b = shapes::Kind::sphere;
@@ -67,6 +72,7 @@ struct Contacts {
   std::vector<double> memory;
   std::size_t words = 0;
   std::vector<contact::Ledger> ledger;  // empty without law.ledger
+  std::vector<Gone> gone;               // that a rebuild found out of reach, until the books are made up
   std::vector<std::uint8_t> touching;
   std::vector<Slot> slot;
   std::vector<Vec3d> centre;          // of the contact, relative to a's centre, m; empty when all are spheres

@@ -90,6 +90,7 @@ class ForcePass {
     if (staged_) {
       std::fill_n(c_.memory.begin() + static_cast<std::ptrdiff_t>(k * c_.words), c_.words, 0.0);
       if (!c_.ledger.empty()) {
+        contact::close(world_.law.loss, dt_, c_.ledger[k]);
         s.changed.back().lost = c_.ledger[k].lost;
         c_.ledger[k] = {};
       }
@@ -146,18 +147,32 @@ class ForcePass {
     for (std::size_t i = 0; i < n; ++i) {
       double* memory = &c_.memory[s.record[i] * c_.words];
       for (std::size_t j = 0; j < words; ++j) memory[j] = w.memory[j][i];
-      memory[c_.words - 1] = w.normal.energy[i] + w.tangential_energy[i] + w.moment_energy[i] + w.pull_energy[i];
-      if (c_.ledger.empty()) continue;
-      contact::Ledger& ledger = c_.ledger[s.record[i]];
-      contact::book(s.law, w, i, dt_, world_.law.loss, ledger);
-      if (dt_ == 0) ledger.lost = {};  // what is there at the start has not been lost
+      memory[c_.words - 1] = contact::stored_energy(s.law, w, i);
+      if (!c_.ledger.empty() && !over(i, s)) book(i, s);
     }
   }
 
-  // After the law: those of lanes 0 … n − 1 whose contact is over.
+  void book(std::size_t i, Scratch& s) const {
+    const std::size_t k = s.record[i];
+    contact::Ledger& ledger = c_.ledger[k];
+    const std::uint32_t ib = c_.index_b[k];
+    const Vec3d spin_a = p_.motion[c_.index_a[k]].spin;
+    const Vec3d spin_b = c_.key[k].b >= wall_base ? world_.walls[ib].spin : p_.motion[ib].spin;
+    const Vec3d before =
+        get(s.law.velocity, i) + cross(spin_a, ledger.arm_a - s.arm_a[i]) - cross(spin_b, ledger.arm_b - s.arm_b[i]);
+    contact::book(s.law, s.work, i, world_.law.loss, dt_, before, ledger);
+    ledger.arm_a = s.arm_a[i];
+    ledger.arm_b = s.arm_b[i];
+    if (dt_ == 0) ledger.lost = {};  // what is there at the start has not been lost
+  }
+
+  // After the law: whether the contact of a lane is over.
+  bool over(std::size_t i, const Scratch& s) const {
+    return !(s.law.history_overlap[i] > 0) && !(lingers_ && s.work.bond[i] > 0);
+  }
   void let_go(std::size_t n, Scratch& s) const {
     for (std::size_t i = 0; i < n; ++i)
-      if (!(s.law.history_overlap[i] > 0) && !(lingers_ && s.work.bond[i] > 0)) forget(s.record[i], s);
+      if (over(i, s)) forget(s.record[i], s);
   }
 
   // The n contacts that have been gathered: law, torques about the centres, back to their records.

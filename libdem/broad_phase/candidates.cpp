@@ -292,6 +292,7 @@ void rebuild_candidates(World& world, int threads) {
   prepare_memory(world);
   std::vector<contact::Cache> cache(total);
   std::vector<Vec3d> centre(old.centre.empty() ? 0 : total);  // regions are known again by theirs
+  std::vector<std::uint8_t> carried(old.ledger.size());
   std::size_t k = 0, o = 0;
   for (const auto& block : rows)
     for (const Candidate& record : block) {
@@ -305,12 +306,21 @@ void rebuild_candidates(World& world, int threads) {
         c.touching[k] = old.touching[o];
         std::copy_n(old.memory.begin() + static_cast<std::ptrdiff_t>(o * old.words), old.words,
                     c.memory.begin() + static_cast<std::ptrdiff_t>(k * c.words));
-        if (!old.ledger.empty()) c.ledger[k] = old.ledger[o];
+        if (!old.ledger.empty()) {
+          c.ledger[k] = old.ledger[o];
+          carried[o] = 1;
+        }
         if (!old.cache.empty()) cache[k] = old.cache[o];
         if (!old.centre.empty()) centre[k] = old.centre[o];
       }
       ++k;
     }
+  for (o = 0; o < carried.size(); ++o) {
+    if (old.touching[o] == 0 || carried[o] != 0) continue;
+    contact::Ledger ledger = old.ledger[o];
+    contact::close(world.law.loss, world.time_step.dt, ledger);
+    c.gone.push_back({old.key[o], ledger.lost});
+  }
   fill_bins(world);
   if (!c.centre.empty()) {
     c.cache = std::move(cache);

@@ -47,7 +47,7 @@ const Answer& Drive::step(const Move& move) {
   put(c.relative_spin, move.relative_spin);
   c.turn[0] = move.turn;
   contact_.model.run(c, *work_, 1, move.dt, contact_.options, false);
-  contact::book(c, *work_, 0, move.dt, contact_.model.loss, ledger_);
+  contact::book(c, *work_, 0, contact_.model.loss, move.dt, move.velocity, ledger_);
   if (move.dt == 0) ledger_.lost = {};
 
   const contact::kernels::LawWork& w = *work_;
@@ -61,7 +61,7 @@ const Answer& Drive::step(const Move& move) {
   answer_.stiffness_t = w.normal.stiffness_t[0];
   answer_.damping = w.normal.damping[0];
   answer_.damping_t = w.normal.damping_t[0];
-  answer_.energy = w.normal.energy[0] + w.tangential_energy[0] + w.moment_energy[0] + w.pull_energy[0];
+  answer_.energy = contact::stored_energy(c, w, 0);
   if (!answer_.touching) forget();
   return answer_;
 }
