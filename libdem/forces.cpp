@@ -80,6 +80,11 @@ class PairPass : public ForcePass {
     }
     if (staged_)
       for (std::size_t i = 0; i < n; ++i) put(l.relative_spin, i, get(s.spheres.spin_a, i) - get(s.spheres.spin_b, i));
+    if (!c_.ledger.empty())
+      for (std::size_t i = 0; i < n; ++i) {
+        s.arm_a[i] = get(l.normal, i) * (s.spheres.radius_a[i] - 0.5 * l.overlap[i]);
+        s.arm_b[i] = get(l.normal, i) * (0.5 * l.overlap[i] - s.spheres.radius_b[i]);
+      }
     run_law(n, false, s);
     set_.sphere_torques(s.spheres, l, n);
     if (world_.law.rolls) {
@@ -241,8 +246,7 @@ class PairPass : public ForcePass {
       if (q.handed_over) ++t.handed_over;
       load_pair(n, bin.pair[first + r], s);
       const bool wall = c_.key[k].b >= wall_base;
-      // Across a gap there is no patch: the force acts midway.
-      const contact::Patch patch = apart ? contact::Patch{.centre = 0.5 * (q.point_a + q.point_b)} : q.patch;
+      const contact::Patch patch = apart ? across_gap(bin, k, s.a[i], s.b[i], s.offset[i], q) : q.patch;
       gather(k, n,
              {-q.gap, q.normal, patch.centre, patch.spread, s.offset[i], s.a[i].rotation, s.b[i].rotation,
               law_radius(world_, c_.index_a[k]), wall ? 0 : law_radius(world_, c_.index_b[k]), patch.centre},
@@ -255,10 +259,30 @@ class PairPass : public ForcePass {
       s.record[n++] = static_cast<std::uint32_t>(k);
     }
     t.touching = n;
-    const bool patch = bin.a == shapes::Kind::polyhedron || bin.a == shapes::Kind::rounded_polyhedron ||
-                       bin.a == shapes::Kind::polygon;
-    finish(n, patch, s);
+    finish(n, over_a_patch(bin), s);
     return t;
+  }
+
+  static bool over_a_patch(const Bin& bin) {
+    return bin.a == shapes::Kind::polyhedron || bin.a == shapes::Kind::rounded_polyhedron ||
+           bin.a == shapes::Kind::polygon;
+  }
+
+  // Where the force of a contact that holds on across a gap acts: midway; of faces in the patch that the same bodies
+  // would have if they overlapped by as much: it goes on from where they parted and grows with the gap.
+  contact::Patch across_gap(const Bin& bin, std::size_t k, const contact::Body& a, const contact::Body& b,
+                            const Vec3d& offset, const contact::Contact& q) const {
+    contact::Patch patch{.centre = 0.5 * (q.point_a + q.point_b)};
+    if (!over_a_patch(bin)) return patch;
+    const double way = 2 * q.gap + 1e-6 * p_.motion[c_.index_a[k]].bounding_radius;
+    const Vec3d moved = offset - q.normal * way;
+    contact::Cache cache;
+    contact::Contact touch;
+    bin.query(1, &a, &b, &moved, {.overlap_only = true, .patch = true}, &cache, &touch);
+    if (!(touch.gap < 0) || !(touch.patch.weight > 0)) return patch;
+    patch = touch.patch;
+    patch.centre += q.normal * (0.5 * way);
+    return patch;
   }
 };
 
@@ -332,11 +356,15 @@ void relist(Contacts& c, std::uint32_t k) {
   if (c.key[k].b < wall_base) body(c.index_b[k]);
 }
 
-// What the contacts that have ended lost, in the order of their records.
-void book_lost(World& world, std::vector<Change>& changed) {
-  std::sort(changed.begin(), changed.end(), [&](const Change& x, const Change& y) { return x.record < y.record; });
+// What the contacts that have ended lost, in the order of their keys.
+void book_lost(World& world, const std::vector<Change>& changed) {
+  std::vector<Gone>& gone = world.contacts.gone;
   for (const Change& c : changed)
-    for (std::size_t m = 0; m < contact::mechanism_count; ++m) world.balance.lost[m].add(c.lost[m]);
+    if (world.contacts.touching[c.record] == 0) gone.push_back({world.contacts.key[c.record], c.lost});
+  std::sort(gone.begin(), gone.end(), [](const Gone& x, const Gone& y) { return x.key < y.key; });
+  for (const Gone& g : gone)
+    for (std::size_t m = 0; m < contact::mechanism_count; ++m) world.balance.lost[m].add(g.lost[m]);
+  gone.clear();
 }
 
 }  // namespace
