@@ -67,8 +67,8 @@ struct Contacts {
   std::vector<std::uint32_t> index_a,
       index_b;                            // particle index; index_b = wall index for walls. a is lower in kind order
   std::vector<contact::History> history;  // zero when not touching
-  // What laws remember beside the History, `words` doubles per record: their states, then what the map does (law_map.h),
-  // then the stored energy (J). Empty where the fused kernels do.
+  // What laws remember beside the History, `words` doubles per record: their states, then what the map does
+  // (law_map.h), then the stored energy (J). Empty where the fused kernels do.
   std::vector<double> memory;
   std::size_t words = 0;
   std::vector<contact::Ledger> ledger;  // empty without law.ledger

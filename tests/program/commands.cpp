@@ -131,10 +131,9 @@ TEST(List, JsonHasEveryList) {
   EXPECT_EQ(all["shapes"].size(), shapes::kind_count);
   EXPECT_EQ(all["methods"].size(), static_cast<std::size_t>(contact::methods_end() - contact::methods_begin()));
   EXPECT_EQ(all["pairs"].size(), shapes::kind_count * (shapes::kind_count + 1) / 2);
-  EXPECT_EQ(all["laws"].size(),
-            std::size(contact::named_laws) + std::tuple_size_v<contact::NormalLaws> +
-                std::tuple_size_v<contact::TangentialLaws> + std::tuple_size_v<contact::RollingLaws> +
-                std::tuple_size_v<contact::CohesionLaws>);
+  EXPECT_EQ(all["laws"].size(), std::size(contact::named_laws) + std::tuple_size_v<contact::NormalLaws> +
+                                    std::tuple_size_v<contact::TangentialLaws> +
+                                    std::tuple_size_v<contact::RollingLaws> + std::tuple_size_v<contact::CohesionLaws>);
   // The scene format knows the same laws as the list of laws.
   for (const auto& law : all["laws"]) {
     const std::string family = law["family"];
