@@ -123,7 +123,7 @@ void all_paths(Report& r) {
     MicroSlip<Digits> exact{Digits(kappa), Digits(friction)};
     Hand diagram(contact_for("memory_diagram", young_eff)),
         printed(contact_for("mindlin_deresiewicz", young_eff, {.deficit = false})),
-        with_deficit(contact_for("mindlin_deresiewicz", young_eff));
+        with_deficit(contact_for("mindlin_deresiewicz", young_eff, {.deficit = true}));
     double z = 0, x = 0, last = 0, got_printed = 0, got_deficit = 0;
     const double n0 = 4.0 / 3 * young_eff * std::sqrt(radius) * depth * std::sqrt(depth), cap = friction * n0;
     int number = 0;

@@ -37,7 +37,7 @@ Drive::Drive(const LawContact& contact)
 const Answer& Drive::step(const Move& move) {
   contact::kernels::LawChunk& c = *chunk_;
   if (!(move.overlap > 0) && !(contact_.model.lingers && answer_.touching)) {
-    forget();
+    end(move);
     answer_ = {};
     return answer_;
   }
@@ -47,11 +47,12 @@ const Answer& Drive::step(const Move& move) {
   put(c.relative_spin, move.relative_spin);
   c.turn[0] = move.turn;
   contact_.model.run(c, *work_, 1, move.dt, contact_.options, false);
-  contact::book(c, *work_, 0, contact_.model.loss, move.dt, move.velocity, ledger_);
-  if (move.dt == 0) ledger_.lost = {};
-
   const contact::kernels::LawWork& w = *work_;
-  answer_.touching = c.history_overlap[0] > 0 || w.bond[0] > 0;
+  const bool touching = c.history_overlap[0] > 0 || w.bond[0] > 0;
+  if (touching)
+    contact::book(c, w, 0, contact_.model.loss, move.prescribed ? w.dt_contact[0] : move.dt,
+                  move.velocity + move.turned, ledger_);
+  if (move.dt == 0) ledger_.lost = {};
   answer_.force = get(c.force);
   answer_.moment = get(c.couple);
   answer_.normal = w.normal.force[0] - w.pull[0];
@@ -62,11 +63,17 @@ const Answer& Drive::step(const Move& move) {
   answer_.damping = w.normal.damping[0];
   answer_.damping_t = w.normal.damping_t[0];
   answer_.energy = contact::stored_energy(c, w, 0);
-  if (!answer_.touching) forget();
+  if (!touching) end(move);
+  answer_.touching = touching;
   return answer_;
 }
 
-void Drive::forget() {
+void Drive::end(const Move& move) {
+  if (answer_.touching) {
+    double acts = move.dt;  // of a prescribed motion the part up to the end
+    if (move.prescribed && ledger_.closing < 0) acts = std::clamp(-ledger_.overlap / ledger_.closing, 0.0, move.dt);
+    contact::close(contact_.model.loss, acts, ledger_);
+  }
   for (std::size_t m = 0; m < lost_.size(); ++m) lost_[m] += ledger_.lost[m];
   ledger_ = {};
   for (std::size_t j = 0; j < contact_.model.words; ++j) work_->memory[j][0] = 0;

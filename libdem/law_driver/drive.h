@@ -27,12 +27,14 @@ struct LawContact {
 };
 
 struct Move {
-  double overlap = 0;     // m, < 0: a gap
-  Vec3d normal{0, 0, 1};  // from a to b
-  Vec3d velocity{};       // of a relative to b at the contact, m/s
-  double turn = 0;        // of both about the normal, rad/s
-  Vec3d relative_spin{};  // ω_a − ω_b, rad/s
-  double dt = 0;          // s; 0: the force as it stands
+  double overlap = 0;      // m, < 0: a gap
+  Vec3d normal{0, 0, 1};   // from a to b
+  Vec3d velocity{};        // of a relative to b at the contact, m/s
+  double turn = 0;         // of both about the normal, rad/s
+  Vec3d relative_spin{};   // ω_a − ω_b, rad/s
+  double dt = 0;           // s; 0: the force as it stands
+  bool prescribed = true;  // the motion; else forces move the bodies, by kicks that last the whole step (ledger.h)
+  Vec3d turned{};          // what the velocity of a relative to b is more where the last step's force acted, m/s
 };
 
 struct Answer {
@@ -59,7 +61,7 @@ class Drive {
   double lost() const;
 
  private:
-  void forget();
+  void end(const Move& move);
 
   LawContact contact_;
   std::unique_ptr<contact::kernels::LawChunk> chunk_;

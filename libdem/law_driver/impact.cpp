@@ -63,6 +63,7 @@ class Impact {
     // They touch after the part `phase` of the first step.
     a_.position = {};
     b_.position = Vec3d{0, 0, a.radius + b.radius} + v * (how.phase * dt_);
+    move_.prescribed = false;
     energy_ = result_.kinetic_before = result_.largest_kinetic = a_.kinetic() + b_.kinetic();
   }
 
@@ -97,6 +98,9 @@ class Impact {
     const Geometry g = geometry(a_, b_);
     move_.normal = g.normal;
     move_.velocity = a_.velocity + cross(a_.spin, g.arm_a) - b_.velocity - cross(b_.spin, g.arm_b);
+    move_.turned = cross(a_.spin, arm_a_ - g.arm_a) - cross(b_.spin, arm_b_ - g.arm_b);
+    arm_a_ = g.arm_a;
+    arm_b_ = g.arm_b;
     move_.turn = 0.5 * dot(a_.spin + b_.spin, g.normal);
     move_.relative_spin = a_.spin - b_.spin;
     const double was = move_.overlap;
@@ -160,7 +164,7 @@ class Impact {
   Approach how_;
   double dt_, time_ = 0, work_ = 0, gained_ = 0, energy_ = 0;
   std::size_t peak_steps_ = 0;
-  Vec3d slip_{};
+  Vec3d slip_{}, arm_a_{}, arm_b_{};
   Move move_;
   Rebound result_;
 };
