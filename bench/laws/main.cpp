@@ -25,6 +25,7 @@ constexpr Entry topics[] = {
     {"kharaz", "rebound angles of Kharaz, Gorham & Salman 2001", laws::kharaz},
     {"bodies", "stack, incline, rolling, spin, terminal velocity", laws::bodies},
     {"stability", "a contact is stable 1 % below its limit and not 1 % above", laws::stability},
+    {"assemblies", "many contacts are stable at the bound", laws::assemblies},
     {"energy", "the energy balance of impacts", laws::energy},
     {"loops", "work over closed paths: default laws create no energy", laws::loops},
     {"cost", "nanoseconds per contact", laws::cost},

@@ -54,6 +54,7 @@ void thornton(Report&);
 void kharaz(Report&);
 void bodies(Report&);
 void stability(Report&);
+void assemblies(Report&);
 void energy(Report&);
 void loops(Report&);
 void cost(Report&);
