@@ -74,6 +74,7 @@ TEST(ObliqueImpact, BoxConverges) {
 // The deficit is no gain where an impact sticks at first: it takes the rule farther from the exact curve.
 TEST(ObliqueImpact, DeficitIsNoGainInImpactsThatStick) {
   ObliqueImpact impact = elastic();
+  impact.options.deficit = true;
   const double exact = impact.run<Hertz, MemoryDiagram>(0.5).slip;
   const double remembered = impact.run<Hertz, MindlinDeresiewicz>(0.5).slip;
   impact.options.deficit = false;
