@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libcontact/kernels/chunk.h"
+#include "libcontact/overlap_volume.h"
 #include "libdem/law_map.h"
 #include "libdem/world.h"
 
@@ -37,7 +38,8 @@ struct Scratch {
   std::vector<Change> changed;
   std::vector<std::uint32_t> through;  // records whose normal has turned round
   LawChunk law;
-  contact::kernels::LawWork work;  // where laws run in stages
+  contact::kernels::LawWork work;                        // where laws run in stages
+  double gain[chunk_size] = {}, screw[chunk_size] = {};  // of map `volume`: J; m, couple along n over the elastic force
   SphereChunk spheres;
   contact::kernels::Lane clearance;
   std::uint32_t entry[chunk_size] = {};
@@ -60,6 +62,8 @@ class ForcePass {
     staged_ = c_.words > 0;
     lingers_ = world.law.lingers;
     map_ = c_.words > world.law.words + 1 ? world.scene.law.map : LawMap::automatic;
+    by_volume_ = map_ == LawMap::volume;
+    by_area_ = measures_area(world);
     lattice_ = world.cell.periodic ? &world.cell.lattice : nullptr;
     for (const Wall& w : world.walls) {
       contact::Body b;
@@ -135,7 +139,7 @@ class ForcePass {
     for (std::size_t i = 0; i < n; ++i) {
       const double* memory = &c_.memory[s.record[i] * c_.words];
       for (std::size_t j = 0; j < words; ++j) w.memory[j][i] = memory[j];
-      w.gain[i] = 1;
+      w.gain[i] = by_volume_ ? s.gain[i] : 1;
     }
     // Idle lanes of the last pack: at rest, without memory.
     for (std::size_t i = n; i % 8 != 0; ++i) {
@@ -181,7 +185,10 @@ class ForcePass {
     load_histories(n, s);
     run_law(n, patch, s);
     for (std::size_t i = 0; i < n; ++i) {
-      const Vec3d f = get(l.force, i), couple = patch || staged_ ? get(l.couple, i) : Vec3d{};
+      const Vec3d f = get(l.force, i);
+      Vec3d couple = patch || staged_ ? get(l.couple, i) : Vec3d{};
+      if (by_volume_ && s.work.normal.force[i] > 0)
+        couple -= get(l.normal, i) * (s.screw[i] * s.work.normal.elastic[i]);
       put(l.couple, i, cross(s.arm_a[i], f) + couple);
       put(l.couple_b, i, -cross(s.arm_b[i], f) - couple);
     }
@@ -266,6 +273,22 @@ class ForcePass {
     s.law.radius_eff[n] = radius;
   }
 
+  // The same of map `volume`: what is gathered with R* in its lane goes to the law as δ_eq.
+  void apply_volume(std::size_t n, double volume, double section, double screw, Scratch& s) const {
+    EquivalentOverlap e{0, 1};
+    if (volume > 0 && section > 0) e = equivalent_overlap(volume, section, s.law.radius_eff[n], by_area_);
+    s.law.overlap[n] = e.overlap;
+    s.gain[n] = e.gain;
+    s.screw[n] = screw;
+  }
+  // Of a sphere or disc with another one, or with a wall: infinite.
+  void apply_round_volume(std::size_t n, double radius_a, double radius_b, Scratch& s) const {
+    const double overlap = s.law.overlap[n];
+    const contact::VolumeSection v = by_area_ ? contact::disc_overlap(overlap, radius_a, radius_b)
+                                              : contact::sphere_overlap(overlap, radius_a, radius_b);
+    apply_volume(n, v.volume, v.section, 0, s);
+  }
+
   World& world_;
   Contacts& c_;
   const Particles& p_;
@@ -273,6 +296,7 @@ class ForcePass {
   double dt_;
   contact::Options wanted_{.overlap_only = true, .patch = true};
   bool staged_ = false, lingers_ = false;
+  bool by_volume_ = false, by_area_ = false;
   LawMap map_ = LawMap::automatic;             // where records keep a word of it
   const contact::Lattice* lattice_ = nullptr;  // null: bodies have no images
   std::vector<WallFrame> walls_;

@@ -1,137 +1,34 @@
 #include "libdem/law_map.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "libcontact/curvature.h"
 #include "libcontact/laws/elliptical.h"
-#include "libdem/build.h"
-#include "libdem/insertion/rain.h"
 #include "libdem/parts.h"
+#include "shapes/math/cube_root.h"
 
 namespace dem {
 
 using shapes::Kind;
 
-namespace {
-
-bool flat_faced(Kind k) { return k == Kind::polyhedron || k == Kind::polygon; }
-bool planar(Kind k) { return shapes::dimension_of(k) == 2; }
-
-MapVerdict equivalent_verdict(Kind a, Kind b) {
-  if (planar(a)) return {Verdict::model, "radius of the disc of equal area; auto: none on prisms"};
-  if (a == Kind::sphere && (b == Kind::sphere || b == Kind::plane)) return {Verdict::theory, ""};
-  if (a == Kind::sphere && b == Kind::mesh) return {Verdict::theory, "edges of the mesh count as flat"};
-  return {Verdict::model, "radius of the sphere of equal volume"};
-}
-
-MapVerdict curvature_verdict(Kind a, Kind b) {
-  if (flat_faced(a) || flat_faced(b)) return {Verdict::refused, "flat faces and sharp edges have no curvature"};
-  if (planar(a)) return {Verdict::model, "as round across the plane as within it"};
-  if (a == Kind::rounded_polyhedron || b == Kind::rounded_polyhedron)
-    return {Verdict::model, "rounding radius, on faces and edges too"};
-  if (b == Kind::mesh) return {Verdict::theory, "edges of the mesh count as flat"};
-  return {Verdict::theory, ""};
-}
-
-MapVerdict edge_verdict(Kind a, Kind b) {
-  const bool edges = flat_faced(a) || flat_faced(b);
-  const bool rounded = a == Kind::rounded_polyhedron || b == Kind::rounded_polyhedron;
-  if (edges) return {Verdict::model, "edges and corners round, faces as if they were"};
-  if (rounded) return {Verdict::model, "rounding radius, on faces and edges too"};
-  return equivalent_verdict(a, b);
-}
-
-}  // namespace
-
-const char* name_of(LawMap map) {
-  switch (map) {
-    case LawMap::automatic:
-      return "auto";
-    case LawMap::equivalent_radius:
-      return "equivalent_radius";
-    case LawMap::curvature:
-      return "curvature";
-    case LawMap::edge_radius:
-      return "edge_radius";
-  }
-  return "";
-}
-
-MapVerdict map_verdict(LawMap map, Kind a, Kind b) {
-  if (b < a) std::swap(a, b);
-  if (shapes::is_wall(a)) return {Verdict::refused, "walls do not meet each other"};
-  if (planar(a) != planar(b)) return {Verdict::refused, "one is of the plane, one of space"};
-  switch (map) {
-    case LawMap::curvature:
-      // A polygon may be a wall, but kinds do not tell: check_map does.
-      return curvature_verdict(a, b);
-    case LawMap::edge_radius:
-      return edge_verdict(a, b);
-    default:
-      return equivalent_verdict(a, b);
-  }
-}
-
-namespace {
-
-// What can meet: a kind, as a body or a wall, and the first thing of the scene that is of it.
-struct Party {
-  Kind kind;
-  bool wall;
-  std::string name;
-  Where where;
-};
-
-std::vector<Party> parties(const World& world) {
-  std::vector<Party> list;
-  const auto add = [&](Kind kind, bool wall, const std::string& name, const Where& where) {
-    const bool known =
-        std::any_of(list.begin(), list.end(), [&](const Party& p) { return p.kind == kind && p.wall == wall; });
-    if (!known) list.push_back({kind, wall, name, where});
-  };
-  const auto add_shape = [&](std::uint32_t shape) {
-    const ShapeEntry& e = world.shapes[shape];
-    const auto spec = std::find_if(world.scene.shapes.begin(), world.scene.shapes.end(),
-                                   [&](const ShapeSpec& s) { return s.name == e.family || s.name == e.name; });
-    const Where where = spec == world.scene.shapes.end() ? Where{world.scene.path, 0, 0} : spec->where;
-    const std::string name = fmt::format("shape \"{}\"", e.name);
-    if (e.compound == nullptr) return add(e.kind, false, name, where);
-    for (const auto& part : e.compound->parts) add(kind_of(part.kind), false, name, where);
-  };
-  for (const std::uint32_t shape : world.particles.shape) add_shape(shape);
-  for (const Draft& d : coming_bodies(world)) add_shape(d.shape);
-  for (const Wall& w : world.walls) add(w.kind, true, fmt::format("wall \"{}\"", w.name), w.motion.where);
-  return list;
-}
-
-}  // namespace
-
-void check_map(const World& world) {
-  const LawMap map = world.scene.law.map;
-  const std::vector<Party> list = parties(world);
-  for (const Party& a : list)
-    for (const Party& b : list) {
-      if (a.wall) continue;
-      // Of a flat-sided wall of the plane only the body's curvature counts, as with meshes.
-      const bool flat_wall = b.wall && b.kind == Kind::polygon && map == LawMap::curvature;
-      const MapVerdict v = map_verdict(map, a.kind, flat_wall ? Kind::line : b.kind);
-      if (v.verdict != Verdict::refused) continue;
-      const Party& at = map == LawMap::curvature && !flat_faced(a.kind) ? b : a;
-      input_error(at.where,
-                  fmt::format("law.map = \"{}\" is not for {} ({}) against {} ({}): {}; allowed: see dem list "
-                              "maps",
-                              name_of(map), a.name, shapes::name_of(a.kind), b.name, shapes::name_of(b.kind), v.why));
-    }
-}
-
 std::size_t map_words(const World& world) {
+  if (world.scene.law.map == LawMap::volume) return 1;
   if (world.scene.law.map != LawMap::curvature) return 0;
   const bool round =
       std::all_of(world.shapes.begin(), world.shapes.end(), [](const ShapeEntry& e) { return is_round(e.kind); });
   return round ? 0 : 1;
+}
+
+EquivalentOverlap equivalent_overlap(double volume, double section, double radius_eff, bool planar) {
+  const double r = radius_eff;
+  if (planar) {
+    const double x = 0.75 * (volume / (r * r)), overlap = r * shapes::cube_root(0.5 * x * x);
+    return {overlap, 2.0 / 3.0 * overlap * (section / volume)};  // (5)
+  }
+  const double overlap = r * std::sqrt(volume / (std::numbers::pi * r * r * r));
+  return {overlap, section / (2 * std::numbers::pi * r * overlap)};  // (4)
 }
 
 double radius_of_curvature(const contact::Body& a, const contact::Body& b, const Vec3d& normal, double equivalent) {
@@ -184,10 +81,40 @@ RadiusBound curvature_bound(const contact::Body& body, double equivalent) {
 
 namespace {
 
+double largest_face(const shapes::Polyhedron& p) {
+  double most = 0;
+  for (const auto& face : p.faces) {
+    const std::uint32_t* loop = p.face_vertices.data() + face.first;
+    Vec3d sum{};
+    for (std::uint32_t k = 2; k < face.count; ++k)
+      sum += cross(p.vertices[loop[k - 1]] - p.vertices[loop[0]], p.vertices[loop[k]] - p.vertices[loop[0]]);
+    most = std::max(most, 0.5 * norm(sum));
+  }
+  return most;
+}
+double longest_side(const shapes::Polygon& p) {
+  double most = 0;
+  for (std::uint32_t i = 0; i < p.vertices.size(); ++i)
+    most = std::max(most, norm(p.vertices[p.next(i)] - p.vertices[i]));
+  return most;
+}
+
+// Of shallow overlaps of ellipsoids and ellipses with a flat wall δ_eq = J δ, with the axes' mean over that across.
+RadiusBound volume_bound(const ShapeEntry& shape, const Vec3d& size, double equivalent) {
+  RadiusBound bound{equivalent, 1};
+  const double mean = curvature_bound({.kind = shape.kind, .size = size}, equivalent).radius;
+  if (shape.kind == Kind::polyhedron) bound.section = largest_face(*shape.polyhedron) * size.x * size.x;
+  if (shape.kind == Kind::polygon) bound.section = longest_side(*shape.polygon) * size.x;
+  if (shape.kind == Kind::ellipsoid) bound.gain = std::sqrt(mean / equivalent);
+  if (shape.kind == Kind::ellipse) bound.gain = shapes::cube_root(mean / equivalent);
+  return bound;
+}
+
 // Of a body of this shape and size; `equivalent`: its equivalent radius.
 RadiusBound bound_of(const World& world, const ShapeEntry& shape, const Vec3d& size, double equivalent) {
   const LawMap map = world.scene.law.map;
   const bool curved = map == LawMap::curvature && !is_round(shape.kind);
+  if (map == LawMap::volume && !is_round(shape.kind)) return volume_bound(shape, size, equivalent);
   if (shape.compound == nullptr) {
     if (curved) return curvature_bound({.kind = shape.kind, .geometry = shape.geometry(), .size = size}, equivalent);
     return {law_radius(world, shape.kind, size, equivalent), 1};
@@ -230,5 +157,34 @@ double radius_bound(const RadiusBound& a, const RadiusBound& b) {
   return a.radius * b.radius / (a.radius + b.radius) * of_ellipse(std::max(a.ratio, b.ratio));
 }
 double radius_bound(const RadiusBound& a) { return a.radius * of_ellipse(a.ratio); }
+
+EquivalentOverlap steepest_overlap(const World& world, const RadiusBound& a, const RadiusBound* b, double overlap) {
+  const double radius = b == nullptr ? radius_bound(a) : radius_bound(a, *b);
+  double section = a.section, gain = a.gain;
+  if (b != nullptr) {
+    section = std::min(section, b->section);
+    gain = std::max(gain, b->gain);
+  }
+  if (section > 0) return equivalent_overlap(section * overlap, section, radius, measures_area(world));
+  return {gain * overlap, gain};
+}
+
+EquivalentOverlap monitored_overlap(const World& world, std::size_t k, double overlap) {
+  const Contacts& c = world.contacts;
+  EquivalentOverlap out{overlap, kept_by_map(world, k)};
+  if (!(out.gain > 0)) return {overlap, 1};
+  double radius = world.particles.motion[c.index_a[k]].equivalent_radius;
+  if (c.key[k].b < wall_base) radius = std::min(radius, world.particles.motion[c.index_b[k]].equivalent_radius);
+  // The mean depth V/|S|; shallower ones are as if that deep, with the section that they have.
+  const bool area = measures_area(world);
+  const double depth = overlap / out.gain * (area ? 2.0 / 3.0 : 0.5), stated = world.scene.run.dt_overlap * radius;
+  if (!(depth < stated)) return out;
+  const double deeper = std::sqrt(std::max(depth / stated, 0x1p-100));
+  if (area) {
+    const double root = shapes::cube_root(deeper * deeper);
+    return {overlap / (root * root), out.gain * root};
+  }
+  return {overlap / deeper, out.gain * deeper};
+}
 
 }  // namespace dem

@@ -6,11 +6,23 @@
 //                 Hertz' force of spheres 4/3 E* sqrt(R*) δ^(3/2) is that of the ellipse (3) at the normal where the
 //                 record begins to touch, and the same until it ends
 //
-// A wall counts as flat. R* of (3) stays: one that followed the point of contact would give or take work where a body
-// rolls along its shape, a seventh of the stored energy per lap at an aspect ratio of 2. The record's word of memory
-// holds it, zero: not read yet. Of (3) the contact radius that a law sees is kn/(2 E*), its pull-off force that of R*.
+//   volume        the law acts on δ_eq and its force F on b along the line of action of the vector area S of the
+//   overlap
+//                 V (libcontact/overlap_volume.h), with R* of (1):
+//                   space   δ_eq = sqrt(V/(π R*)),            J = dδ_eq/dδ = |S|/(2π R* δ_eq) (4) plane   δ_eq = (3A/(4
+//                   sqrt(2R*)))^(2/3),  J = 2/3 δ_eq |S|/A                                     (5) force on b  J F
+//                   along S, which is the slope of a potential of V in place and angle where F is one of δ_eq (6)
 //
-// Source: (3) Johnson, Contact Mechanics (1985), ch. 4. Which pairs of shapes a map is for: map_verdict. Tests:
+// Of shallow spheres (discs) δ_eq is δ and J is 1. Hertz' law on (4) is the potential 8/15 E* sqrt(R*) (V/(π
+// R*))^(5/4): faces A that meet by δ press with A^(5/4) δ^(1/4), and their stiffness at first touch has no bound. The
+// monitors of the step count it from the stated overlap run.dt_overlap on: below, what a step is too long for stays
+// that shallow. A wall counts as flat. R* of (3) stays: one that followed the point of contact would give or take work
+// where a body rolls along its shape, a seventh of the stored energy per lap at an aspect ratio of 2. The record's word
+// of memory holds it, zero: not read yet. Of (3) the contact radius that a law sees is kn/(2 E*), its pull-off force
+// that of R*.
+//
+// Source: (3) Johnson, Contact Mechanics (1985), ch. 4; (6) Y. T. Feng, Comput. Methods Appl. Mech. Eng. 373 (2021)
+// 113493. Which pairs of shapes a map is for: map_verdict. Tests:
 // tests/libdem/law_maps.cpp
 #pragma once
 
@@ -18,7 +30,7 @@
 
 namespace dem {
 
-inline constexpr std::size_t map_count = 4;
+inline constexpr std::size_t map_count = 5;
 const char* name_of(LawMap map);
 
 enum class Verdict { theory, model, refused };
@@ -28,6 +40,7 @@ struct MapVerdict {
 };
 // Kinds in any order; the parts of a compound count by themselves.
 MapVerdict map_verdict(LawMap map, shapes::Kind a, shapes::Kind b);
+MapVerdict map_verdict(LawMap map, const contact::LawModel& law);
 
 // Throws InputError, naming shapes and map, where two kinds of the scene may meet that the map is not for.
 void check_map(const World& world);
@@ -35,7 +48,18 @@ void check_map(const World& world);
 // Words of a record's memory that are the map's; they stand between those of the laws and the energy.
 std::size_t map_words(const World& world);
 
-// The map's word of a record; 0: it keeps none, or not yet.
+// (4), (5) of an overlap that is there; `planar`: V is an area.
+struct EquivalentOverlap {
+  double overlap = 0;  // δ_eq, m
+  double gain = 1;     // J
+};
+EquivalentOverlap equivalent_overlap(double volume, double section, double radius_eff, bool planar);
+// Whether (5) is meant: prisms; else (4).
+inline bool measures_area(const World& world) {
+  return world.scene.dimension == 2 && world.scene.disc_model == DiscModel::prism;
+}
+
+// What a record's word is: R* of `curvature`, J of `volume`. The map's word of a record; 0: it keeps none, or not yet.
 inline double kept_by_map(const World& world, std::size_t record) {
   const Contacts& c = world.contacts;
   return c.words > world.law.words + 1 ? c.memory[record * c.words + world.law.words] : 0;
@@ -57,14 +81,21 @@ inline double law_radius(const World& world, std::size_t i) {
 // round or one of them round and the other a wall.
 double radius_of_curvature(const contact::Body& a, const contact::Body& b, const Vec3d& normal, double equivalent);
 
-// The largest R* that a body may be met with: how it goes into the step and into the reach of adhesion.
+// The stiffest way in which a body may be met: how it goes into the step and into the reach of adhesion.
 struct RadiusBound {
-  double radius = 0;  // m, of a body against a wall, without φ²
-  double ratio = 1;   // largest of its principal curvatures over the other one
+  double radius = 0;   // m, of R* of a body against a wall, without φ²
+  double ratio = 1;    // largest of its principal curvatures over the other one
+  double gain = 1;     // of (4), (5) where it is round
+  double section = 0;  // its largest face, m², or side, m, of a body that has them
 };
 RadiusBound radius_bound(const World& world, std::size_t i);
 RadiusBound radius_bound(const World& world, std::uint32_t shape, double scale);
 double radius_bound(const RadiusBound& a, const RadiusBound& b);  // of two bodies, m
 double radius_bound(const RadiusBound& a);                        // of a body and a wall, m
+
+// Map `volume`: what an overlap of this depth, m, is to the law at the most; no second body: null.
+EquivalentOverlap steepest_overlap(const World& world, const RadiusBound& a, const RadiusBound* b, double overlap);
+// What record k with the overlap δ_eq is to the monitors of the step, J kept with it.
+EquivalentOverlap monitored_overlap(const World& world, std::size_t k, double overlap);
 
 }  // namespace dem

@@ -63,10 +63,14 @@ Stiffness stiffness_of(const World& world, std::size_t k, double overlap) {
   const double radius_a = part_radius(world, a, c.key[k].part_a);
   const double radius_b = wall ? 0 : part_radius(world, b, c.key[k].part);
   double radius = wall ? radius_a : radius_a * radius_b / (radius_a + radius_b);
-  if (const double kept = kept_by_map(world, k); kept > 0) radius = kept;
-  const Stiffness s = stiffness_at(world, pair_of(world, k), radius, overlap);
+  EquivalentOverlap at{overlap, 1};
+  if (world.scene.law.map == LawMap::volume)
+    at = monitored_overlap(world, k, overlap);
+  else if (const double kept = kept_by_map(world, k); kept > 0)
+    radius = kept;
+  const Stiffness s = stiffness_at(world, pair_of(world, k), radius, at.overlap);
   const double share = c.share.empty() ? 1 : c.share[k];
-  return {share * s.n, share * s.t};
+  return {share * s.n * (at.gain * at.gain), share * s.t};
 }
 
 // Without friction nothing holds the tangential mode.
@@ -148,9 +152,14 @@ std::vector<PairLimit> pair_limits(const World& world, const std::vector<BodyGro
   // A body with many contacts, each as stiff as its stiffest partner makes it.
   const double rows = std::max(1.0, 0.5 * world.scene.run.dt_contacts);
   std::vector<PairLimit> list;
-  const auto add = [&](std::size_t group, std::size_t partner, bool wall, const Compliance& w, double radius_eff,
-                       double radius, const PairParameters& q) {
-    const Stiffness k = stiffness_at(world, q, radius_eff, world.scene.run.dt_overlap * radius);
+  std::vector<RadiusBound> bounds;
+  const auto add = [&](std::size_t group, std::size_t partner, bool wall, const Compliance& w, double radius,
+                       const PairParameters& q) {
+    const RadiusBound &of_a = bounds[group], *of_b = wall ? nullptr : &bounds[partner];
+    EquivalentOverlap at{world.scene.run.dt_overlap * radius, 1};
+    if (world.scene.law.map == LawMap::volume) at = steepest_overlap(world, of_a, of_b, at.overlap);
+    Stiffness k = stiffness_at(world, q, wall ? radius_bound(of_a) : radius_bound(of_a, *of_b), at.overlap);
+    k.n *= at.gain * at.gain;
     const double beta = law_beta(world, q);
     list.push_back(
         {group, partner, wall, limit_of(rows * k.n * w.normal, beta),
@@ -158,21 +167,18 @@ std::vector<PairLimit> pair_limits(const World& world, const std::vector<BodyGro
   };
   std::vector<Compliance> yields;
   std::vector<double> radii;
-  std::vector<RadiusBound> curved;
   for (const BodyGroup& g : groups) {
     yields.push_back(compliance(world, g.light));
     radii.push_back(world.particles.motion[g.light].equivalent_radius);
-    curved.push_back(radius_bound(world, g.light));
+    bounds.push_back(radius_bound(world, g.light));
   }
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const double r = radii[g];
     for (std::size_t o = g; o < groups.size(); ++o)
       add(g, o, false, {yields[g].normal + yields[o].normal, yields[g].tangential + yields[o].tangential},
-          radius_bound(curved[g], curved[o]), std::min(r, radii[o]),
-          world.pairs[groups[g].material * materials + groups[o].material]);
+          std::min(r, radii[o]), world.pairs[groups[g].material * materials + groups[o].material]);
     for (std::size_t w = 0; w < world.walls.size(); ++w)
-      add(g, w, true, yields[g], radius_bound(curved[g]), r,
-          world.pairs[groups[g].material * materials + world.walls[w].material]);
+      add(g, w, true, yields[g], r, world.pairs[groups[g].material * materials + world.walls[w].material]);
   }
   return list;
 }

@@ -26,7 +26,12 @@ class Overlap {
 
   // The sums of both outlines are opposite; their difference halves the rounding.
   ClippedArea result() const {
-    return {area_, 0.5 * (surface_[of_a] - surface_[of_b]), area_ > 0 ? origin_ + first_ * (1 / area_) : Vec3d{}};
+    ClippedArea c{area_, 0.5 * (surface_[of_a] - surface_[of_b]), {}, 0};
+    if (!(area_ > 0)) return c;
+    const Vec3d from_origin = first_ * (1 / area_);
+    c.centroid = origin_ + from_origin;
+    c.moment = 0.5 * (moment_[of_a] - moment_[of_b]) - cross(from_origin, c.surface).z;
+    return c;
   }
 
  private:
@@ -56,8 +61,9 @@ class Overlap {
     for (std::size_t i = 0; i < region.size(); ++i) {
       const Vec3d& x = region[i].x;
       const Vec3d along = region[i + 1 == region.size() ? 0 : i + 1].x - x;
-      surface_[region[i].side] += Vec3d{along.y, -along.x, 0};  // (1)
-      const Vec3d p = x - region[0].x, q = p + along;
+      const Vec3d p = x - region[0].x, q = p + along, out{along.y, -along.x, 0};
+      surface_[region[i].side] += out;  // (1)
+      moment_[region[i].side] += cross(d + 0.5 * (p + q), out).z;
       const double w = 0.5 * (p.x * q.y - p.y * q.x);
       area_ += w;
       first_ += w * (d + (1.0 / 3) * (p + q));
@@ -65,7 +71,7 @@ class Overlap {
   }
 
   const PlacedPolygons& pair_;
-  double area_ = 0;
+  double area_ = 0, moment_[3]{};
   Vec3d surface_[3]{}, first_{}, origin_{};
 };
 
@@ -86,7 +92,7 @@ ClippedArea clipped_area(const Placed<shapes::Polygon>& a, const Placed<shapes::
   double up = 1;
   ClippedArea c;
   if (const PlacedPolygons pair = placed_polygons(a, b, offset, up); pair.size > 0) c = Overlap(pair).result();
-  return {c.area * up * up, c.surface * up, c.centroid * up};
+  return {c.area * up * up, c.surface * up, c.centroid * up, c.moment * up * up};
 }
 
 Contact Clip::query(const Placed<shapes::Polygon>& a, const Placed<shapes::Polygon>& b, const Vec3d& offset,

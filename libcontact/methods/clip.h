@@ -34,6 +34,7 @@ struct CONTACT_API Clip {
 struct ClippedArea {
   double area = 0;              // A, m²
   Vec3d surface{}, centroid{};  // S, m; x_c relative to a's origin, m
+  double moment = 0;            // ∫(x − x_c) × n ds over the same sides, about z, m²
 };
 
 CONTACT_API ClippedArea clipped_area(const Placed<shapes::Polygon>& a, const Placed<shapes::Polygon>& b,

@@ -9,10 +9,10 @@
 // along the normal, with the bounds of polyhedron_measure.h. Apart, touching, or one inside the other (S = 0), `sat`
 // answers.
 //
-// Faces are clipped by the planes of the other body; cones from a corner of the overlap over what is left of both
-// bodies' faces add up to the volume. Source: Y. T. Feng, K. Han & D. R. J. Owen, Comput. Methods Appl. Mech. Eng. 205
-// (2012) 169, for a force along the gradient of a volume. Cost: faces of a × faces of b, 2.5 us a pair of cubes, 19 us
-// of 50 vertices. Accuracy: V to 64 eps L·area. Tests: tests/libcontact/approximate_polyhedra.cpp, contract.cpp.
+// The overlap is made as a body (convex_overlap.h); cones from one of its corners over its faces add up to the volume.
+// Source: Y. T. Feng, K. Han & D. R. J. Owen, Comput. Methods Appl. Mech. Eng. 205
+// (2012) 169, for a force along the gradient of a volume. Cost: faces of a × faces of b, 1.7 us a pair of cubes, 14 us
+// of 48 vertices. Accuracy: V to 64 eps L·area. Tests: tests/libcontact/approximate_polyhedra.cpp, contract.cpp.
 #pragma once
 
 #include "libcontact/contact.h"
@@ -29,5 +29,16 @@ struct CONTACT_API ClipVolume {
   static Contact query(const Placed<shapes::Polyhedron>& a, const Placed<shapes::Polyhedron>& b, const Vec3d& offset,
                        const Options& options, Cache* cache);
 };
+
+struct ClippedVolume {
+  double volume = 0;  // V, m³
+  Vec3d surface{};    // S, m²
+  Vec3d moment{};     // ∫(x − x_c) × n dA over the same faces, m³
+  Vec3d centroid{};   // x_c, relative to a's origin, m
+};
+
+// World axes. All zero when there is no overlap; S is zero when one lies inside the other.
+CONTACT_API ClippedVolume clipped_volume(const Placed<shapes::Polyhedron>& a, const Placed<shapes::Polyhedron>& b,
+                                         const Vec3d& offset);
 
 }  // namespace contact

@@ -14,20 +14,9 @@ namespace {
 using Solid = Placed<shapes::Polyhedron>;
 
 Contact answer(const Solid& a, const Solid& b, const Vec3d& offset, PolyhedronMethod method) {
-  const double reach = a.scale * a.shape->circumradius + b.scale * b.shape->circumradius;
-  const double extent = max_abs(offset) + reach;
-  if (!(a.scale > 0 && b.scale > 0 && extent_in_range(extent) && all_at_least(offset, -extent))) return refused();
-  const Scale unit = scale_of(extent);
-  const Vec3d d = unit.down * offset;
-  const PlacedPolyhedra placed{
-      {a.shape,
-       b.shape,
-       unit.down * a.scale,
-       unit.down * b.scale,
-       {{transposed_times(b.rotation, a.rotation.column(0)), transposed_times(b.rotation, a.rotation.column(1)),
-         transposed_times(b.rotation, a.rotation.column(2))}},
-       transposed_times(a.rotation, d)},
-      norm(d) + unit.down * reach};
+  double up = 1;
+  const PlacedPolyhedra placed = placed_polyhedra(a, b, offset, up);
+  if (!(placed.size > 0)) return refused();
   const PolyhedronPair& pair = placed.pair;
   const PolyhedronMeasure m = method(placed);
   const bool usable = m.found && std::abs(dot(m.normal, m.normal) - 1) < 0x1p-40 && std::abs(m.overlap) <= 16 &&
@@ -49,15 +38,32 @@ Contact answer(const Solid& a, const Solid& b, const Vec3d& offset, PolyhedronMe
   const double allowance = polyhedron_rounding * placed.size;
   Contact c = smooth_contact(at.value, at.value - allowance, std::max(at.value, upper) + allowance,
                              a.rotation * m.normal, a.rotation * pair.self_vertex(at.on_self),
-                             a.rotation * pair.other_vertex(at.on_other), unit.up, m.iterations);
-  c.method_overlap = m.overlap * unit.up;
+                             a.rotation * pair.other_vertex(at.on_other), up, m.iterations);
+  c.method_overlap = m.overlap * up;
   c.method_normal = c.normal;
-  c.method_point = (a.rotation * m.point) * unit.up;
+  c.method_point = (a.rotation * m.point) * up;
   if (!m.converged) c.status = Status::not_converged;
   return c;
 }
 
 }  // namespace
+
+PlacedPolyhedra placed_polyhedra(const Solid& a, const Solid& b, const Vec3d& offset, double& up) {
+  const double reach = a.scale * a.shape->circumradius + b.scale * b.shape->circumradius;
+  const double extent = max_abs(offset) + reach;
+  if (!(a.scale > 0 && b.scale > 0 && extent_in_range(extent) && all_at_least(offset, -extent))) return {{}, 0};
+  const Scale unit = scale_of(extent);
+  const Vec3d d = unit.down * offset;
+  up = unit.up;
+  return {{a.shape,
+           b.shape,
+           unit.down * a.scale,
+           unit.down * b.scale,
+           {{transposed_times(b.rotation, a.rotation.column(0)), transposed_times(b.rotation, a.rotation.column(1)),
+             transposed_times(b.rotation, a.rotation.column(2))}},
+           transposed_times(a.rotation, d)},
+          norm(d) + unit.down * reach};
+}
 
 double depth_in(const shapes::Polyhedron& p, double scale, const Vec3d& x) {
   double least = std::numeric_limits<double>::infinity();

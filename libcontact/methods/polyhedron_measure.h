@@ -15,6 +15,10 @@ struct PlacedPolyhedra {
   double size;  // L, units
 };
 
+// In units of `up`; size 0 when out of range.
+PlacedPolyhedra placed_polyhedra(const Placed<shapes::Polyhedron>& a, const Placed<shapes::Polyhedron>& b,
+                                 const Vec3d& offset, double& up);
+
 // In units, in the frame of the first body.
 struct PolyhedronMeasure {
   bool found = false;  // else `sat` answers

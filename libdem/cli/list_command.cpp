@@ -8,6 +8,7 @@
 #include "libcontact/laws/list.h"
 #include "libcontact/laws/model.h"
 #include "libdem/cli/commands.h"
+#include "libdem/law_map.h"
 #include "libdem/scene/data_files.h"
 #include "libdem/scene/material_library.h"
 #include "libdem/scene/schema.h"
@@ -113,6 +114,38 @@ Json laws_json() {
   return out;
 }
 
+std::string verdict_text(const MapVerdict& v) {
+  const char* word = v.verdict == Verdict::theory ? "theory" : v.verdict == Verdict::model ? "model" : "refused";
+  return std::string(word) + (*v.why == 0 ? "" : std::string(": ") + v.why);
+}
+
+// Pairs of shapes, then laws of the families that read a radius, with every map.
+Json maps_json() {
+  Json out = Json::array();
+  const auto add = [&](const std::string& of, const auto&... what) {
+    Json row{{"of", of}};
+    for (std::size_t m = 0; m < map_count; ++m) {
+      const auto map = static_cast<LawMap>(m);
+      row[name_of(map)] = verdict_text(map_verdict(map, what...));
+    }
+    out.push_back(row);
+  };
+  for (std::size_t a = 0; a < shapes::kind_count; ++a)
+    for (std::size_t b = a; b < shapes::kind_count; ++b) {
+      const auto kind_a = static_cast<shapes::Kind>(a), kind_b = static_cast<shapes::Kind>(b);
+      if (shapes::is_wall(kind_a) || shapes::dimension_of(kind_a) != shapes::dimension_of(kind_b)) continue;
+      add(fmt::format("{} - {}", shapes::name_of(kind_a), shapes::name_of(kind_b)), kind_a, kind_b);
+    }
+  contact::each_law<contact::NormalLaws>([&](auto law, std::size_t) {
+    add(fmt::format("law {}", law.name), *contact::law_model({law.name, "coulomb_spring"}));
+  });
+  contact::each_law<contact::CohesionLaws>([&](auto law, std::size_t) {
+    if (std::string_view(law.name) == "none") return;
+    add(fmt::format("law hertz with {}", law.name), *contact::law_model({"hertz", "coulomb_spring", "none", law.name}));
+  });
+  return out;
+}
+
 Json keys_json() {
   Json out = Json::array();
   for (const std::string& path : key_paths()) {
@@ -165,6 +198,7 @@ Json topic_json(const std::string& topic) {
   if (topic == "shapes") return shapes_json();
   if (topic == "methods") return methods_json();
   if (topic == "laws") return laws_json();
+  if (topic == "maps") return maps_json();
   if (topic == "pairs") return pairs_json();
   if (topic == "keys") return keys_json();
   if (topic == "materials") return materials_json();
@@ -210,11 +244,33 @@ void print_pairs() {
                row["methods"].empty() ? cell(row["remark"]) : cell(row["methods"]));
 }
 
+// The verdicts as a table, the reasons below it by their numbers.
+void print_maps() {
+  std::vector<std::string> notes;
+  Json short_rows = Json::array();
+  for (const Json& row : maps_json()) {
+    Json line;
+    for (const auto& [name, value] : row.items()) {
+      std::string text = value.get<std::string>();
+      if (const std::size_t colon = text.find(": "); colon != std::string::npos && name != "of") {
+        const std::string why = text.substr(colon + 2);
+        auto note = std::find(notes.begin(), notes.end(), why);
+        if (note == notes.end()) note = notes.insert(note, why);
+        text = fmt::format("{} [{}]", text.substr(0, colon), note - notes.begin() + 1);
+      }
+      line[name] = text;
+    }
+    short_rows.push_back(line);
+  }
+  print_table(short_rows);
+  for (std::size_t i = 0; i < notes.size(); ++i) fmt::print("[{}] {}\n", i + 1, notes[i]);
+}
+
 }  // namespace
 
 const std::vector<std::string>& list_topics() {
-  static const std::vector<std::string> topics{"shapes",    "methods",  "laws",   "pairs", "keys",
-                                               "materials", "friction", "scenes", "grains"};
+  static const std::vector<std::string> topics{"shapes", "methods",   "laws",     "maps",   "pairs",
+                                               "keys",   "materials", "friction", "scenes", "grains"};
   return topics;
 }
 
@@ -231,6 +287,8 @@ int list_command(const ListArguments& arguments) {
     if (topics.size() > 1) fmt::print("{}{}\n", &topic == &topics[0] ? "" : "\n", topic);
     if (topic == "pairs")
       print_pairs();
+    else if (topic == "maps")
+      print_maps();
     else
       print_table(topic_json(topic));
   }

@@ -95,7 +95,7 @@ enum class LawName {
 inline constexpr std::size_t law_name_count = 12;
 
 // How a law of spheres finds its radius on other bodies: law_map.h.
-enum class LawMap { automatic, equivalent_radius, curvature, edge_radius };
+enum class LawMap { automatic, equivalent_radius, curvature, edge_radius, volume };
 
 struct LawSpec {
   LawName name = LawName::hertz_mindlin;

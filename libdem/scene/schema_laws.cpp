@@ -39,12 +39,13 @@ std::vector<Key> law_keys() {
           .one_of(names_of<contact::RollingLaws>()),
       value<&LawSpec::cohesion>("cohesion", "", "Attraction beside the normal law in place of the combination's.")
           .one_of(names_of<contact::CohesionLaws>()),
-      word<&LawSpec::map>("map",
-                          "Radius that a law of spheres takes on other bodies; auto = that of the sphere of equal "
-                          "volume, and none on prisms; equivalent_radius: on prisms that of the disc of equal area; "
-                          "curvature: of the elliptical Hertz contact at the first touch; edge_radius: law.edge_radius "
-                          "on flat-faced bodies. See dem list maps.",
-                          {"auto", "equivalent_radius", "curvature", "edge_radius"}),
+      word<&LawSpec::map>(
+          "map",
+          "Radius that a law of spheres takes on other bodies; auto = that of the sphere of equal "
+          "volume, and none on prisms; equivalent_radius: on prisms that of the disc of equal area; "
+          "curvature: of the elliptical Hertz contact at the first touch; edge_radius: law.edge_radius "
+          "on flat-faced bodies; volume: force from a potential of the overlap's volume. See dem list maps.",
+          {"auto", "equivalent_radius", "curvature", "edge_radius", "volume"}),
       value<&LawSpec::edge_radius>("edge_radius", "m", "Radius to which edges and corners are rounded.")
           .above(0)
           .when("map", {"edge_radius"})

@@ -160,7 +160,7 @@ TEST(List, JsonHasEveryList) {
 
 TEST(List, EachTopicPrints) {
   for (const char* topic :
-       {"shapes", "methods", "laws", "pairs", "keys", "materials", "friction", "scenes", "grains"}) {
+       {"shapes", "methods", "laws", "maps", "pairs", "keys", "materials", "friction", "scenes", "grains"}) {
     const Outcome o = program::dem({"list", topic});
     EXPECT_EQ(o.exit_code, 0) << topic;
     EXPECT_GT(std::count(o.out.begin(), o.out.end(), '\n'), 1) << topic;
