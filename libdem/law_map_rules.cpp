@@ -23,6 +23,8 @@ bool planar(Kind k) { return shapes::dimension_of(k) == 2; }
 
 MapVerdict equivalent_verdict(Kind a, Kind b) {
   if (planar(a)) return {Verdict::model, "radius of the disc of equal area"};
+  if (a == Kind::compound || b == Kind::compound)
+    return {Verdict::model, "round parts as themselves, flat ones by the volume of the whole"};
   if (a == Kind::sphere && (b == Kind::sphere || b == Kind::plane)) return {Verdict::theory, ""};
   if (a == Kind::sphere && b == Kind::mesh) return {Verdict::theory, "edges of the mesh count as flat"};
   return {Verdict::model, "radius of the sphere of equal volume"};
@@ -30,6 +32,7 @@ MapVerdict equivalent_verdict(Kind a, Kind b) {
 
 MapVerdict curvature_verdict(Kind a, Kind b) {
   if (flat_faced(a) || flat_faced(b)) return {Verdict::refused, "flat faces and sharp edges have no curvature"};
+  if (a == Kind::compound || b == Kind::compound) return {Verdict::model, "part by part; flat-faced parts refused"};
   if (planar(a)) return {Verdict::model, "as round across the plane as within it"};
   if (a == Kind::rounded_polyhedron || b == Kind::rounded_polyhedron)
     return {Verdict::model, "rounding radius, on faces and edges too"};
@@ -40,6 +43,7 @@ MapVerdict curvature_verdict(Kind a, Kind b) {
 MapVerdict edge_verdict(Kind a, Kind b) {
   const bool edges = flat_faced(a) || flat_faced(b);
   const bool rounded = a == Kind::rounded_polyhedron || b == Kind::rounded_polyhedron;
+  if (a == Kind::compound || b == Kind::compound) return {Verdict::model, "part by part, flat ones rounded"};
   if (edges) return {Verdict::model, "edges and corners round, faces as if they were"};
   if (rounded) return {Verdict::model, "rounding radius, on faces and edges too"};
   return equivalent_verdict(a, b);
@@ -116,8 +120,9 @@ MapVerdict map_verdict(LawMap map, const contact::LawModel& law) {
   }
   if (!law.hertzian) return {Verdict::theory, "its stiffness is given: a radius enters no elastic force"};
   if (map == LawMap::curvature)
-    return plain ? MapVerdict{Verdict::theory, "the ellipse's force, its contact radius as kn/(2 E*)"}
-                 : MapVerdict{Verdict::model, "yield, pull-off and memory of a sphere as stiff as the ellipse"};
+    return plain && !pulls(law)
+               ? MapVerdict{Verdict::theory, "the ellipse's force, its contact radius as kn/(2 E*)"}
+               : MapVerdict{Verdict::model, "yield, pull-off and memory of a sphere as stiff as the ellipse"};
   return {Verdict::theory, "of spheres; other shapes: see the pairs"};
 }
 

@@ -8,7 +8,7 @@
 #include "libcontact/laws/list.h"
 #include "libcontact/laws/model.h"
 #include "libdem/cli/commands.h"
-#include "libdem/law_map.h"
+#include "libdem/cli/list_maps.h"
 #include "libdem/scene/data_files.h"
 #include "libdem/scene/material_library.h"
 #include "libdem/scene/schema.h"
@@ -114,35 +114,13 @@ Json laws_json() {
   return out;
 }
 
-std::string verdict_text(const MapVerdict& v) {
-  const char* word = v.verdict == Verdict::theory ? "theory" : v.verdict == Verdict::model ? "model" : "refused";
-  return std::string(word) + (*v.why == 0 ? "" : std::string(": ") + v.why);
-}
-
-// Pairs of shapes, then laws of the families that read a radius, with every map.
 Json maps_json() {
   Json out = Json::array();
-  const auto add = [&](const std::string& of, const auto&... what) {
-    Json row{{"of", of}};
-    for (std::size_t m = 0; m < map_count; ++m) {
-      const auto map = static_cast<LawMap>(m);
-      row[name_of(map)] = verdict_text(map_verdict(map, what...));
-    }
-    out.push_back(row);
-  };
-  for (std::size_t a = 0; a < shapes::kind_count; ++a)
-    for (std::size_t b = a; b < shapes::kind_count; ++b) {
-      const auto kind_a = static_cast<shapes::Kind>(a), kind_b = static_cast<shapes::Kind>(b);
-      if (shapes::is_wall(kind_a) || shapes::dimension_of(kind_a) != shapes::dimension_of(kind_b)) continue;
-      add(fmt::format("{} - {}", shapes::name_of(kind_a), shapes::name_of(kind_b)), kind_a, kind_b);
-    }
-  contact::each_law<contact::NormalLaws>([&](auto law, std::size_t) {
-    add(fmt::format("law {}", law.name), *contact::law_model({law.name, "coulomb_spring"}));
-  });
-  contact::each_law<contact::CohesionLaws>([&](auto law, std::size_t) {
-    if (std::string_view(law.name) == "none") return;
-    add(fmt::format("law hertz with {}", law.name), *contact::law_model({"hertz", "coulomb_spring", "none", law.name}));
-  });
+  for (const MapRow& row : map_rows()) {
+    Json line;
+    for (const auto& [name, text] : row) line[name] = text;
+    out.push_back(line);
+  }
   return out;
 }
 
