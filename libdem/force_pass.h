@@ -264,13 +264,27 @@ class ForcePass {
     s.arm_a[n] = arm_a;
     s.arm_b[n] = arm_b;
   }
+  // Map `volume`: the overlap that q has found, measured. False, and forgotten: a graze by rounding, or one body lies
+  // in the other, which is counted.
+  bool measure(std::size_t k, const contact::Body& a, const contact::Body& b, const Vec3d& offset,
+               const contact::Contact& q, contact::OverlapVolume& out, Tally& t, Scratch& s) const {
+    if (contact::overlap_volume(a, b, offset, out)) return true;
+    if (-q.gap > 1e-3 * p_.motion[c_.index_a[k]].bounding_radius) ++t.not_converged;
+    forget(k, s);
+    return false;
+  }
   // Lane n of contact k as the map has it; normal from a to b.
   void apply_map(std::size_t k, std::size_t n, const contact::Body& a, const contact::Body& b, const Vec3d& normal,
-                 Scratch& s) const {
-    if (map_ != LawMap::curvature) return;
-    double& radius = c_.memory[k * c_.words + world_.law.words];
-    if (!(radius > 0)) radius = radius_of_curvature(a, b, normal, s.law.radius_eff[n]);
-    s.law.radius_eff[n] = radius;
+                 const contact::OverlapVolume& v, Scratch& s) const {
+    if (map_ == LawMap::automatic) return;
+    double& word = c_.memory[k * c_.words + world_.law.words];
+    if (by_volume_) {
+      apply_volume(n, v.volume, v.section, v.screw, s);
+      word = s.gain[n];
+      return;
+    }
+    if (!(word > 0)) word = radius_of_curvature(a, b, normal, s.law.radius_eff[n]);
+    s.law.radius_eff[n] = word;
   }
 
   // The same of map `volume`: what is gathered with R* in its lane goes to the law as δ_eq.
@@ -287,6 +301,9 @@ class ForcePass {
     const contact::VolumeSection v = by_area_ ? contact::disc_overlap(overlap, radius_a, radius_b)
                                               : contact::sphere_overlap(overlap, radius_a, radius_b);
     apply_volume(n, v.volume, v.section, 0, s);
+  }
+  void apply_round_volumes(std::size_t n, Scratch& s) const {
+    for (std::size_t i = 0; i < n; ++i) apply_round_volume(i, s.spheres.radius_a[i], s.spheres.radius_b[i], s);
   }
 
   World& world_;

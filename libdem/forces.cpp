@@ -85,8 +85,7 @@ class PairPass : public ForcePass {
         s.arm_a[i] = get(l.normal, i) * (s.spheres.radius_a[i] - 0.5 * l.overlap[i]);
         s.arm_b[i] = get(l.normal, i) * (0.5 * l.overlap[i] - s.spheres.radius_b[i]);
       }
-    if (by_volume_)
-      for (std::size_t i = 0; i < n; ++i) apply_round_volume(i, s.spheres.radius_a[i], s.spheres.radius_b[i], s);
+    if (by_volume_) apply_round_volumes(n, s);
     run_law(n, false, s);
     set_.sphere_torques(s.spheres, l, n);
     if (world_.law.rolls) {
@@ -199,11 +198,6 @@ class PairPass : public ForcePass {
     return n;
   }
 
-  // An overlap without a section that is no graze: one body lies inside the other.
-  bool too_deep(const contact::Contact& q, std::size_t k) const {
-    return -q.gap > 1e-3 * p_.motion[c_.index_a[k]].bounding_radius;
-  }
-
   Tally general(const Bin& bin, std::size_t first, std::size_t count, Scratch& s) const {
     const std::uint32_t* records = &bin.records[first];
     const std::size_t step = bin.regions ? contact::max_regions : 1;  // records of a pair
@@ -253,11 +247,7 @@ class PairPass : public ForcePass {
       if (!q.certified) ++t.uncertified;
       if (q.handed_over) ++t.handed_over;
       contact::OverlapVolume v;
-      if (by_volume_ && !contact::overlap_volume(s.a[i], s.b[i], s.offset[i], v)) {
-        if (too_deep(q, k)) ++t.not_converged;
-        forget(k, s);
-        continue;
-      }
+      if (by_volume_ && !measure(k, s.a[i], s.b[i], s.offset[i], q, v, t, s)) continue;
       load_pair(n, bin.pair[first + r], s);
       const bool wall = c_.key[k].b >= wall_base;
       const contact::Patch patch = apart ? across_gap(bin, k, s.a[i], s.b[i], s.offset[i], q) : q.patch;
@@ -266,11 +256,7 @@ class PairPass : public ForcePass {
              {-q.gap, normal, centre, patch.spread, s.offset[i], s.a[i].rotation, s.b[i].rotation,
               law_radius(world_, c_.index_a[k]), wall ? 0 : law_radius(world_, c_.index_b[k]), centre},
              s);
-      apply_map(k, n, s.a[i], s.b[i], normal, s);
-      if (by_volume_) {
-        apply_volume(n, v.volume, v.section, v.screw, s);
-        c_.memory[k * c_.words + world_.law.words] = s.gain[n];
-      }
+      apply_map(k, n, s.a[i], s.b[i], normal, v, s);
       // Sharp edges turn a normal by more than a right angle, regions change places.
       if (!bin.regions && dot(c_.history[k].normal, normal) < -0.9) s.through.push_back(static_cast<std::uint32_t>(k));
       begin(k, s);

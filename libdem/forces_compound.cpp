@@ -245,7 +245,7 @@ void CompoundPass::act(Working& w, Scratch& s, Tally& t) const {
            {m.contact.common_overlap, m.normal, m.patch.centre, m.patch.spread, m.offset, m.rotation_a, m.rotation_b,
             m.of_a.radius, m.of_b.radius, m.contact.common_centre},
            s);
-    apply_map(m.record, n, m.of_a.body, m.of_b.body, m.normal, s);
+    apply_map(m.record, n, m.of_a.body, m.of_b.body, m.normal, {}, s);
     // Springs and dashpots of a share of the contact: the dashpot goes with sqrt(stiffness · mass).
     contact::each_extensive_parameter(l.pair, [&](contact::kernels::Lane& lane) { lane[n] *= share; });
     l.mass_eff[n] *= share;

@@ -58,12 +58,13 @@ void book(const kernels::LawChunk& c, const kernels::LawWork& w, std::size_t i, 
           const shapes::Vec3d& before, Ledger& l) {
   const auto get = [i](const kernels::Lane3& lane) { return shapes::Vec3d{lane.x[i], lane.y[i], lane.z[i]}; };
   const shapes::Vec3d n = get(c.normal), v = get(c.velocity);
-  l.closing = dot(v, n);
-  l.slip = v - n * l.closing;
+  const double closing = dot(v, n), gain = w.gain[i];  // of the overlap that the law has: J times as fast
+  l.closing = closing * gain;
+  l.slip = v - n * closing;
   l.relative_spin = get(c.relative_spin);
   Work work{acts, l.begun > 0 ? c.overlap[i] - l.overlap : l.closing * acts, before, l.slip, l.relative_spin, loss, l};
-  const double elastic = w.normal.elastic[i];
-  work.normal(elastic, w.normal.force[i] - elastic, w.normal.energy[i]);
+  const double elastic = w.normal.elastic[i] / gain;
+  work.normal(elastic, w.normal.force[i] / gain - elastic, w.normal.energy[i]);
   work.pull(w.pull[i], w.pull_energy[i]);
   work.tangential(get(w.tangential), get(w.tangential) - get(c.history_force), w.tangential_energy[i]);
   work.moment(get(c.couple), w.moment_energy[i] + twist_energy(c, w, i));
