@@ -1,5 +1,6 @@
 // Stability limits of the step.
-//   one contact: ω² = largest eigenvalue of K^½ W K^½ ≤ max(kn wn, kt wt),  w = inverse mass of the contact point;
+//   one contact: ω² = largest eigenvalue of K^½ W K^½ ≤ max(kn wn, kt wt + kr/I),  w = inverse mass of the contact
+//   point; kr: spring of rolling; that of twisting, k_tw/I, by itself
 //   limit = (2/ω)(sqrt(1+β²) − β) with a dashpot that sees half-step velocities                                   (1)
 //   (a bound: the law lessens its dashpot by lag_factor, which alone would allow (2/ω)/sqrt(1+2β))
 //   many contacts: λmax ≤ max over contacts of (rows of a + rows of b), a weighted-graph bound (Anderson & Morley,
@@ -18,9 +19,14 @@
 namespace dem {
 namespace {
 
-struct Compliance {  // largest inverse masses of a body's surface points, 1/kg
-  double normal = 0, tangential = 0;
+// Inverse masses of a body: the largest of its surface points, that of its centre, 1/kg; largest inverse moment of
+// inertia, 1/(kg m²).
+struct Compliance {
+  double normal = 0, tangential = 0, centre = 0, turning = 0;
 };
+Compliance operator+(const Compliance& a, const Compliance& b) {
+  return {a.normal + b.normal, a.tangential + b.tangential, a.centre + b.centre, a.turning + b.turning};
+}
 
 // A lever reaches at most the bounding radius (spheres: the normal passes through the centre).
 Compliance compliance(const World& world, std::size_t i) {
@@ -34,18 +40,26 @@ Compliance compliance(const World& world, std::size_t i) {
   const double inscribed = world.shapes[p.shape[i]].inscribed_radius * (r / world.shapes[p.shape[i]].circumradius);
   const bool convex = p.kind[i] != shapes::Kind::compound;
   const double arm2 = sphere ? 0 : r * r - (convex ? inscribed * inscribed : 0);
-  return {m.inverse_mass + arm2 / smallest, m.inverse_mass + r * r / smallest};
+  return {m.inverse_mass + arm2 / smallest, m.inverse_mass + r * r / smallest, m.inverse_mass, 1 / smallest};
 }
 
 double limit_of(double omega_squared, double beta) {
   return 2 / std::sqrt(omega_squared) * (std::sqrt(1 + beta * beta) - beta);
 }
 
-// β of the damping as the law applies it: cn = 2 β' sqrt(m* kn), with sqrt(5/6) for Hertz.
-double law_beta(const World& world, const PairParameters& q) { return world.law.damping_ratio(q); }
+// β of the damping as the law applies it: cn = 2 β' sqrt(m* kn), with sqrt(5/6) for Hertz; of a dashpot c that knows no
+// mass c/2 sqrt(w/kn). That of a viscous solid is in the same ratio to kt.
+double law_beta(const World& world, const PairParameters& q, const Stiffness& s, double inverse_mass) {
+  return s.damping > 0 ? 0.5 * s.damping * std::sqrt(inverse_mass / s.n) : world.law.damping_ratio(q);
+}
 
-Stiffness stiffness_at(const World& world, const PairParameters& q, double radius_eff, double overlap) {
-  return world.law.stiffness(q, world.law_options, radius_eff, overlap);
+// `record`: whose memory counts; none: a contact pressed for the first time.
+constexpr std::size_t no_record = std::numeric_limits<std::size_t>::max();
+Stiffness stiffness_at(const World& world, const PairParameters& q, double radius_eff, double overlap,
+                       std::size_t record = no_record) {
+  const Contacts& c = world.contacts;
+  const double* memory = record != no_record && c.words > 0 ? &c.memory[record * c.words] : nullptr;
+  return world.law.stiffness(q, world.law_options, radius_eff, overlap, memory);
 }
 
 const PairParameters& pair_of(const World& world, std::size_t k) {
@@ -68,14 +82,49 @@ Stiffness stiffness_of(const World& world, std::size_t k, double overlap) {
     at = monitored_overlap(world, k, overlap);
   else if (const double kept = kept_by_map(world, k); kept > 0)
     radius = kept;
-  const Stiffness s = stiffness_at(world, pair_of(world, k), radius, at.overlap);
+  Stiffness s = stiffness_at(world, pair_of(world, k), radius, at.overlap, k);
   const double share = c.share.empty() ? 1 : c.share[k];
-  return {share * s.n * (at.gain * at.gain), share * s.t};
+  for (double* x : {&s.n, &s.t, &s.damping, &s.rolling, &s.twist, &s.rolling_damping}) *x *= share;
+  s.n *= at.gain * at.gain;
+  s.damping *= at.gain * at.gain;
+  return s;
 }
 
-// Without friction nothing holds the tangential mode.
+// Of the tangential mode with the rolling that goes with it. Without friction nothing holds the former.
+double tangential_omega_squared(const Stiffness& s, const Compliance& w, const PairParameters& q) {
+  return (q.friction > 0 ? s.t * w.tangential : 0) + s.rolling * w.turning;
+}
 double omega_squared(const Stiffness& s, const Compliance& w, const PairParameters& q) {
-  return q.friction > 0 ? std::max(s.n * w.normal, s.t * w.tangential) : s.n * w.normal;
+  return std::max({s.n * w.normal, tangential_omega_squared(s, w, q), s.twist * w.turning});
+}
+
+double normal_limit(const World& world, const Stiffness& s, const Compliance& w, const PairParameters& q,
+                    double rows = 1) {
+  return limit_of(rows * s.n * w.normal, law_beta(world, q, s, w.normal));
+}
+// Of all other modes; +infinity where there is none. Sliding and rolling go together: ω² and 2βω are bounded by the
+// sums of kt w + kr/I and ct w + cr/I. Dry friction of rolling is a dashpot within the step, cr dt/I = φ:
+//   ω² dt² + 4βω dt + 2φ <= 4
+double tangential_limit(const World& world, const Stiffness& s, const Compliance& w, const PairParameters& q,
+                        double rows = 1) {
+  const double omega = std::sqrt(tangential_omega_squared(s, w, q)), slides = q.friction > 0 ? s.t * w.tangential : 0;
+  // ct = factor · β sqrt(m* kt), m* that of the normal; of a viscous solid c kt/kn.
+  double damping = s.damping > 0 ? s.damping / s.n * slides
+                                 : 2 * world.law.damping_ratio(q) * std::sqrt(slides * (w.tangential / w.centre));
+  double dry = 0;
+  if (s.rolling > 0)
+    damping += s.rolling_damping * std::sqrt(1 / w.centre) * w.turning;
+  else
+    dry = s.rolling_damping * (w.turning / w.centre);
+  const double beta = omega > 0 ? 0.5 * damping / omega : 0;
+  const double limit = 2 / (std::sqrt(rows) * omega) * (std::sqrt(std::max(1 - 0.5 * dry, 0.0) + beta * beta) - beta);
+  return s.twist > 0 ? std::min(limit, limit_of(rows * s.twist * w.turning, 0)) : limit;
+}
+
+Compliance compliance_of(const World& world, std::size_t k) {
+  const Contacts& c = world.contacts;
+  const Compliance a = compliance(world, c.index_a[k]);
+  return c.key[k].b < wall_base ? a + compliance(world, c.index_b[k]) : a;
 }
 
 }  // namespace
@@ -85,29 +134,26 @@ Stiffness contact_stiffness(const World& world, std::size_t k) {
 }
 
 double contact_limit(const World& world, std::size_t k, double overlap) {
-  const Contacts& c = world.contacts;
   const PairParameters& q = pair_of(world, k);
-  Compliance w = compliance(world, c.index_a[k]);
-  if (c.key[k].b < wall_base) {
-    const Compliance b = compliance(world, c.index_b[k]);
-    w.normal += b.normal;
-    w.tangential += b.tangential;
-  }
-  return limit_of(omega_squared(stiffness_of(world, k, overlap), w, q), law_beta(world, q));
+  const Stiffness s = stiffness_of(world, k, overlap);
+  const Compliance w = compliance_of(world, k);
+  return std::min(normal_limit(world, s, w, q), tangential_limit(world, s, w, q));
 }
 
 double contact_damping(const World& world, std::size_t k) {
   const Particles& p = world.particles;
   const std::uint32_t a = world.contacts.index_a[k], b = world.contacts.index_b[k];
   const PairParameters& q = pair_of(world, k);
-  const double mass = 1 / (p.motion[a].inverse_mass + p.motion[b].inverse_mass);
-  return 2 * law_beta(world, q) * std::sqrt(mass * contact_stiffness(world, k).n);
+  const double inverse_mass = p.motion[a].inverse_mass + p.motion[b].inverse_mass;
+  const Stiffness s = contact_stiffness(world, k);
+  return 2 * law_beta(world, q, s, inverse_mass) * std::sqrt(1 / inverse_mass * s.n);
 }
 
 double contact_resistance(const World& world, std::size_t k) {
   const Contacts& c = world.contacts;
-  const double beta = law_beta(world, pair_of(world, k));
-  return (1 + 2 * beta) * std::sqrt(contact_stiffness(world, k).n * world.particles.mass[c.index_a[k]]);
+  const double mass = world.particles.mass[c.index_a[k]];
+  const Stiffness s = contact_stiffness(world, k);
+  return (1 + 2 * law_beta(world, pair_of(world, k), s, 1 / mass)) * std::sqrt(s.n * mass);
 }
 
 namespace {
@@ -160,10 +206,8 @@ std::vector<PairLimit> pair_limits(const World& world, const std::vector<BodyGro
     if (world.scene.law.map == LawMap::volume) at = steepest_overlap(world, of_a, of_b, at.overlap);
     Stiffness k = stiffness_at(world, q, wall ? radius_bound(of_a) : radius_bound(of_a, *of_b), at.overlap);
     k.n *= at.gain * at.gain;
-    const double beta = law_beta(world, q);
-    list.push_back(
-        {group, partner, wall, limit_of(rows * k.n * w.normal, beta),
-         q.friction > 0 ? limit_of(rows * k.t * w.tangential, beta) : std::numeric_limits<double>::infinity()});
+    k.damping *= at.gain * at.gain;
+    list.push_back({group, partner, wall, normal_limit(world, k, w, q, rows), tangential_limit(world, k, w, q, rows)});
   };
   std::vector<Compliance> yields;
   std::vector<double> radii;
@@ -175,8 +219,8 @@ std::vector<PairLimit> pair_limits(const World& world, const std::vector<BodyGro
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const double r = radii[g];
     for (std::size_t o = g; o < groups.size(); ++o)
-      add(g, o, false, {yields[g].normal + yields[o].normal, yields[g].tangential + yields[o].tangential},
-          std::min(r, radii[o]), world.pairs[groups[g].material * materials + groups[o].material]);
+      add(g, o, false, yields[g] + yields[o], std::min(r, radii[o]),
+          world.pairs[groups[g].material * materials + groups[o].material]);
     for (std::size_t w = 0; w < world.walls.size(); ++w)
       add(g, w, true, yields[g], r, world.pairs[groups[g].material * materials + world.walls[w].material]);
   }
@@ -215,7 +259,7 @@ double present_limit(const World& world) {
     const auto add = [&](std::size_t i) { row[i] += omega_squared(s, compliance(world, i), q); };
     add(c.index_a[k]);
     if (c.key[k].b < wall_base) add(c.index_b[k]);
-    beta = std::max(beta, law_beta(world, q));
+    beta = std::max(beta, law_beta(world, q, s, compliance_of(world, k).normal));
   }
   double largest = 0;
   for (std::size_t k = 0; k < c.count(); ++k) {

@@ -112,17 +112,44 @@ double LawModel::range(const PairParameters& pair, const LawOptions& options, do
   return widest;
 }
 
-Stiffness LawModel::stiffness(const PairParameters& pair, const LawOptions& options, double radius_eff,
-                              double overlap) const {
+Stiffness LawModel::stiffness(const PairParameters& pair, const LawOptions& options, double radius_eff, double overlap,
+                              const double* memory) const {
   Stiffness s;
+  Kinematics<double> k;
+  k.normal = {0, 0, 1};
+  k.radius_eff = radius_eff;
+  k.mass_eff = 1;
+  NormalForce<double> f;
   at<NormalLaws>(normal, [&](auto law) {
-    typename decltype(law)::template State<double> state{};
-    Kinematics<double> k;
-    k.overlap = std::max(overlap, 0.0);
-    k.radius_eff = radius_eff;
-    k.mass_eff = 1;
-    const NormalForce<double> f = law.update(pair, k, options, state);
-    s = {f.stiffness, f.stiffness_t};
+    using Law = decltype(law);
+    typename Law::template State<double> state{};
+    if (memory != nullptr) std::copy_n(memory + memory_normal, state_words<Law>, reinterpret_cast<double*>(&state));
+    k.overlap = law_adheres<Law> && memory != nullptr ? overlap : std::max(overlap, 0.0);
+    f = law.update(pair, k, options, state);
+    s.n = f.stiffness;
+    s.t = f.stiffness_t;
+    s.damping = law.damping_factor > 0 ? 0 : f.damping;
+  });
+  at<TangentialLaws>(tangential, [&](auto law) {
+    if (std::is_same_v<decltype(law), Frictionless>) s.t = 0;
+  });
+  if (!rolls || !(overlap > 0)) return s;
+  at<RollingLaws>(rolling, [&](auto law) {
+    // What a turn so small that no cap is met stores is its spring's; the rest of its moment at a rate is the
+    // dashpot's.
+    const double turn = 0x1p-30 * (overlap / radius_eff);
+    typename decltype(law)::template State<double> rolled{}, twisted{}, resting{};
+    k.dt_contact = 1;
+    k.relative_spin = {turn, 0, 0};
+    s.rolling = 2 * law.update(pair, k, f, options, rolled).energy / (turn * turn);
+    k.relative_spin = {0, 0, turn};
+    s.twist = 2 * law.update(pair, k, f, options, twisted).energy / (turn * turn);
+    k.dt_contact = 0;
+    k.relative_spin = {turn, 0, 0};
+    if (s.rolling > 0)
+      s.rolling_damping = -law.update(pair, k, f, options, resting).moment.x / turn;
+    else
+      s.rolling_damping = 0.25 * resistance::solid_inertia(k);
   });
   return s;
 }

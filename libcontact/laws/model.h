@@ -24,8 +24,11 @@ struct LawNames {
 // Names of the laws that a classical combination is made of; none: no such name.
 CONTACT_API std::optional<LawNames> named_law(std::string_view name);
 
-struct Stiffness {  // N/m
-  double n = 0, t = 0;
+struct Stiffness {
+  double n = 0, t = 0;            // N/m
+  double damping = 0;             // of a dashpot that does not go with sqrt(m* k), N s/m
+  double rolling = 0, twist = 0;  // springs of the rolling law, N m/rad
+  double rolling_damping = 0;     // its dashpot, N m s/rad, of a body of 1 kg; dry, without a spring: that times dt
 };
 
 class LawModel {
@@ -46,9 +49,10 @@ class LawModel {
                        const LawOptions& options, bool patch, const kernels::KernelSet& set = kernels::kernels()) const;
   // The widest gap that a contact reaches across, m.
   CONTACT_API double range(const PairParameters& pair, const LawOptions& options, double radius_eff) const;
-  // Steepest springs of a contact pressed for the first time to this overlap.
+  // Steepest springs of a contact at this overlap, with the memory that its record has; none: pressed for the first
+  // time.
   CONTACT_API Stiffness stiffness(const PairParameters& pair, const LawOptions& options, double radius_eff,
-                                  double overlap) const;
+                                  double overlap, const double* memory = nullptr) const;
   // Part of the critical damping that the law's dashpot has: c = 2 β sqrt(m* k).
   double damping_ratio(const PairParameters& pair) const { return 0.5 * damping_factor * pair.damping; }
 };
