@@ -238,6 +238,34 @@ double widest_hold(const World& world) {
   return widest * (1 + 1e-9);
 }
 
+// Bonds need the gap of bodies apart: outlines that touch in several regions have none of each region, and what an
+// approximate method measures is not one.
+void check_bonds(const World& world) {
+  if (!world.law.lingers) return;
+  const std::string law = "law " + law_title(world.scene.law) + " holds on across a gap";
+  const auto refuse = [&](const Where& where, const std::string& what) {
+    input_error(
+        where, fmt::format("{}: {}; allowed: convex polygons, or a law that lets go where the bodies part", law, what));
+  };
+  for (const ShapeSpec& s : world.scene.shapes)
+    for (const ShapeEntry& e : world.shapes)
+      if (e.family == s.name && e.meets_in_regions())
+        refuse(s.where, fmt::format("shape \"{}\" is not convex and may touch in several regions", s.name));
+  for (const Wall& w : world.walls)
+    if (w.meets_in_regions())
+      refuse(w.motion.where, fmt::format("wall \"{}\" is not convex and may be touched in several regions", w.name));
+  if (world.scene.method == "auto") return;
+  for (std::size_t a = 0; a < shapes::kind_count; ++a)
+    for (std::size_t b = a; b < shapes::kind_count; ++b) {
+      const contact::MethodInfo* method =
+          contact::choose(static_cast<shapes::Kind>(a), static_cast<shapes::Kind>(b), world.scene.method);
+      if (method != nullptr && !method->exact)
+        input_error({world.scene.path, 0, 0},
+                    fmt::format("{}: contact.method = \"{}\" does not measure gaps; allowed: \"auto\", exact methods",
+                                law, world.scene.method));
+    }
+}
+
 }  // namespace
 
 World build_world(const Scene& scene) {
@@ -290,6 +318,7 @@ World build_world(const Scene& scene) {
   }
   check_methods(world);
   check_map(world);
+  check_bonds(world);
   world.skin = std::max(scene.run.skin >= 0 ? scene.run.skin : automatic_skin(world), widest_hold(world));
   check_cell(world);
   world.time_step = choose_time_step(world);

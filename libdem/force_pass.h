@@ -213,6 +213,23 @@ class ForcePass {
     return p_.motion[i].inverse_mass + (t.x * t.x / inertia.x + t.y * t.y / inertia.y + t.z * t.z / inertia.z);
   }
 
+  // Where the force of a contact that holds on across a gap acts: midway; of faces in the patch that the same bodies
+  // would have if they overlapped by as much: it goes on from where they parted and grows with the gap.
+  contact::Patch across_gap(contact::ChunkQuery query, bool faces, std::size_t k, const contact::Body& a,
+                            const contact::Body& b, const Vec3d& offset, const contact::Contact& q) const {
+    contact::Patch patch{.centre = 0.5 * (q.point_a + q.point_b)};
+    if (!faces) return patch;
+    const double way = 2 * q.gap + 1e-6 * p_.motion[c_.index_a[k]].bounding_radius;
+    const Vec3d moved = offset - q.normal * way;
+    contact::Cache cache;
+    contact::Contact touch;
+    query(1, &a, &b, &moved, {.overlap_only = true, .patch = true}, &cache, &touch);
+    if (!(touch.gap < 0) || !(touch.patch.weight > 0)) return patch;
+    patch = touch.patch;
+    patch.centre += q.normal * (0.5 * way);
+    return patch;
+  }
+
   // A touching contact as a query answered it.
   struct Meeting {
     double overlap;        // m

@@ -250,7 +250,8 @@ class PairPass : public ForcePass {
       if (by_volume_ && !measure(k, s.a[i], s.b[i], s.offset[i], q, v, t, s)) continue;
       load_pair(n, bin.pair[first + r], s);
       const bool wall = c_.key[k].b >= wall_base;
-      const contact::Patch patch = apart ? across_gap(bin, k, s.a[i], s.b[i], s.offset[i], q) : q.patch;
+      const contact::Patch patch =
+          apart ? across_gap(bin.query, over_a_patch(bin), k, s.a[i], s.b[i], s.offset[i], q) : q.patch;
       const Vec3d normal = by_volume_ ? v.normal : q.normal, centre = by_volume_ ? v.point : patch.centre;
       gather(k, n,
              {-q.gap, normal, centre, patch.spread, s.offset[i], s.a[i].rotation, s.b[i].rotation,
@@ -270,23 +271,6 @@ class PairPass : public ForcePass {
   static bool over_a_patch(const Bin& bin) {
     return bin.a == shapes::Kind::polyhedron || bin.a == shapes::Kind::rounded_polyhedron ||
            bin.a == shapes::Kind::polygon;
-  }
-
-  // Where the force of a contact that holds on across a gap acts: midway; of faces in the patch that the same bodies
-  // would have if they overlapped by as much: it goes on from where they parted and grows with the gap.
-  contact::Patch across_gap(const Bin& bin, std::size_t k, const contact::Body& a, const contact::Body& b,
-                            const Vec3d& offset, const contact::Contact& q) const {
-    contact::Patch patch{.centre = 0.5 * (q.point_a + q.point_b)};
-    if (!over_a_patch(bin)) return patch;
-    const double way = 2 * q.gap + 1e-6 * p_.motion[c_.index_a[k]].bounding_radius;
-    const Vec3d moved = offset - q.normal * way;
-    contact::Cache cache;
-    contact::Contact touch;
-    bin.query(1, &a, &b, &moved, {.overlap_only = true, .patch = true}, &cache, &touch);
-    if (!(touch.gap < 0) || !(touch.patch.weight > 0)) return patch;
-    patch = touch.patch;
-    patch.centre += q.normal * (0.5 * way);
-    return patch;
   }
 };
 

@@ -14,6 +14,7 @@ struct CompoundPass::Meet {
   std::uint32_t a = 0, b = 0;  // bodies; b: wall
   std::uint32_t part_a = 0, part_b = 0;
   bool wall = false, touches = false;
+  bool holds = false;            // on, across a gap
   Mat3d rotation_a, rotation_b;  // of the bodies
   PartBody of_a, of_b;           // of_b.centre: relative to b's centre
   Vec3d offset;                  // b's centre less a's
@@ -79,12 +80,15 @@ void CompoundPass::query(Working& w, Scratch& s, Tally& t) const {
         if (refused || found.status == contact::Status::not_converged) ++t.not_converged;
         if (found.gap_lower > 0 && found.iterations == 0 && !(found.gap_upper < infinity)) ++t.by_axis;
         m.touches = !refused && overlap(found);
-        if (!m.touches) continue;
+        m.holds = !refused && !m.touches && may_hold(m.record);
+        if (!m.touches && !m.holds) continue;
         if (!found.certified) ++t.uncertified;
         if (found.handed_over) ++t.handed_over;
         const bool swapped = m.of_b.body.kind < m.of_a.body.kind;
+        const bool faces = m.of_a.body.kind == shapes::Kind::polyhedron;
         m.normal = swapped ? -found.normal : found.normal;
-        m.patch = found.patch;
+        m.patch = m.touches ? found.patch
+                            : across_gap(c_.part_queries[q].query, faces, m.record, s.a[r], s.b[r], s.offset[r], found);
         m.patch.centre += swapped ? m.offset + m.of_b.centre : m.of_a.centre;
         m.contact = {};
         m.contact.overlap = -found.gap;
@@ -223,8 +227,33 @@ void CompoundPass::weigh(std::size_t first, std::size_t last, Working& w) const 
     w.histories.push_back(c_.history[m.record]);
   }
   if (n < 2) return;
+  for (std::size_t i = 0; i < n && staged_; ++i) pool_memory(i, w);
   pool_histories(w.contacts, w.depth, w.histories);
   for (std::size_t i = 0; i < n; ++i) c_.history[w.meets[w.touching[i]].record] = w.histories[i];
+}
+
+// What a contact that is new finds in the memory of the normal law and of cohesion is that of the deepest with which it
+// is one: bodies do not yield afresh as they pass from part to part. Both are of lengths, whatever the share.
+void CompoundPass::pool_memory(std::size_t i, const Working& w) const {
+  const std::size_t n = w.touching.size(), record = w.meets[w.touching[i]].record;
+  if (c_.touching[record] != 0) return;
+  const std::size_t none = c_.count();
+  std::size_t from = none;
+  for (std::size_t j = 0; j < n; ++j) {
+    const std::size_t other = w.meets[w.touching[j]].record;
+    if (i == j || c_.touching[other] == 0 || !(w.depth[i * n + j] > 0.5)) continue;
+    if (from == none || c_.history[other].overlap > c_.history[from].overlap) from = other;
+  }
+  if (from == none) return;
+  const auto copy = [&](std::size_t first, std::size_t last) {
+    const auto at = [&](std::size_t k) {
+      return c_.memory.begin() + static_cast<std::ptrdiff_t>(k * c_.words + first);
+    };
+    std::copy_n(at(from), last - first, at(record));
+  };
+  const contact::LawModel& law = world_.law;
+  copy(law.memory_normal, law.memory_tangential);
+  copy(law.memory_cohesion, law.words);
 }
 
 void CompoundPass::act(Working& w, Scratch& s, Tally& t) const {
@@ -232,7 +261,8 @@ void CompoundPass::act(Working& w, Scratch& s, Tally& t) const {
   const auto materials = static_cast<std::uint32_t>(world_.materials.size());
   std::size_t n = 0;
   for (const Meet& m : w.meets) {
-    const double share = m.touches ? m.contact.share : 0;
+    // Across a gap a contact keeps the share that it parted with.
+    const double share = m.touches ? m.contact.share : m.holds ? c_.share[m.record] : 0;
     if (!(share > 0)) {
       forget(m.record, s);
       continue;
@@ -242,12 +272,14 @@ void CompoundPass::act(Working& w, Scratch& s, Tally& t) const {
     load_pair(n, p_.material[m.a] * materials + material_b, s);
     s.pair[n] = ~std::uint32_t(0);  // the lane holds a share of it
     gather(m.record, n,
-           {m.contact.common_overlap, m.normal, m.patch.centre, m.patch.spread, m.offset, m.rotation_a, m.rotation_b,
-            m.of_a.radius, m.of_b.radius, m.contact.common_centre},
+           {m.touches ? m.contact.common_overlap : m.contact.overlap, m.normal, m.patch.centre, m.patch.spread,
+            m.offset, m.rotation_a, m.rotation_b, m.of_a.radius, m.of_b.radius,
+            m.touches ? m.contact.common_centre : m.patch.centre},
            s);
     apply_map(m.record, n, m.of_a.body, m.of_b.body, m.normal, {}, s);
     // Springs and dashpots of a share of the contact: the dashpot goes with sqrt(stiffness · mass).
     contact::each_extensive_parameter(l.pair, [&](contact::kernels::Lane& lane) { lane[n] *= share; });
+    l.pair.wetting[n] *= share;  // what the pull of a liquid goes with
     l.mass_eff[n] *= share;
     c_.share[m.record] = share;
     begin(m.record, s);

@@ -23,6 +23,7 @@ class CompoundPass : public ForcePass {
   double sideways_depth(const Meet& i, const Meet& j, const shapes::Compound::Joint* joint_a,
                         const shapes::Compound::Joint* joint_b) const;
   double cover(const Meet& m) const;
+  void pool_memory(std::size_t i, const Working& w) const;
   void act(Working& w, Scratch& s, Tally& t) const;
 };
 

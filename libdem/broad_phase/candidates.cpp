@@ -293,6 +293,7 @@ void rebuild_candidates(World& world, int threads) {
   std::vector<contact::Cache> cache(total);
   std::vector<Vec3d> centre(old.centre.empty() ? 0 : total);  // regions are known again by theirs
   std::vector<std::uint8_t> carried(old.ledger.size());
+  std::vector<double> share(old.share.empty() ? 0 : total, 1.0);  // of those that hold on across a gap
   std::size_t k = 0, o = 0;
   for (const auto& block : rows)
     for (const Candidate& record : block) {
@@ -310,6 +311,7 @@ void rebuild_candidates(World& world, int threads) {
           c.ledger[k] = old.ledger[o];
           carried[o] = 1;
         }
+        if (!old.share.empty()) share[k] = old.share[o];
         if (!old.cache.empty()) cache[k] = old.cache[o];
         if (!old.centre.empty()) centre[k] = old.centre[o];
       }
@@ -322,6 +324,7 @@ void rebuild_candidates(World& world, int threads) {
     c.gone.push_back({old.key[o], ledger.lost});
   }
   fill_bins(world);
+  if (!c.share.empty() && !share.empty()) c.share = std::move(share);
   if (!c.centre.empty()) {
     c.cache = std::move(cache);
     if (!centre.empty()) c.centre = std::move(centre);
