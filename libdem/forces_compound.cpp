@@ -236,7 +236,7 @@ void CompoundPass::weigh(std::size_t first, std::size_t last, Working& w) const 
 // is one: bodies do not yield afresh as they pass from part to part. Both are of lengths, whatever the share.
 void CompoundPass::pool_memory(std::size_t i, const Working& w) const {
   const std::size_t n = w.touching.size(), record = w.meets[w.touching[i]].record;
-  if (c_.touching[record] != 0) return;
+  if (c_.touching[record] != 0 || !(w.contacts[i].share > 0)) return;
   const std::size_t none = c_.count();
   std::size_t from = none;
   for (std::size_t j = 0; j < n; ++j) {

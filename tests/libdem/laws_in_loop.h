@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -185,5 +186,23 @@ struct Meeting {
     return scenes::motion(w, 0).velocity.z - (wall ? 0 : scenes::motion(w, 1).velocity.z);
   }
 };
+
+// The force on a, away from b, of a contact that has just been pressed to this overlap; b is a plane, the bodies of the
+// first material, with R* = radius. The energy that it stores.
+inline double force_of(const World& w, double radius_eff, double overlap, double* energy = nullptr) {
+  contact::kernels::LawChunk chunk{};
+  const auto work = std::make_unique<contact::kernels::LawWork>();
+  for (std::size_t i = 0; i < contact::kernels::chunk_size; ++i) {
+    contact::each_parameter(chunk.pair, w.pairs[0], [i](contact::kernels::Lane& l, double x) { l[i] = x; });
+    chunk.overlap[i] = overlap;
+    chunk.normal.z[i] = -1;
+    chunk.radius_eff[i] = radius_eff;
+    chunk.mass_eff[i] = w.particles.mass[0];
+    work->gain[i] = 1;
+  }
+  w.law.run(chunk, *work, 1, 0, w.law_options, false);
+  if (energy != nullptr) *energy = contact::stored_energy(chunk, *work, 0);
+  return chunk.force.z[0];
+}
 
 }  // namespace dem::law_loop

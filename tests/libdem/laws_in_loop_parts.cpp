@@ -13,11 +13,19 @@ namespace {
 
 constexpr double r = law_loop::radius;
 
-// A box, whole or of two pieces.
+// A plate with knobs on two sides, so that it is no convex body; the plate whole or of two pieces.
 std::vector<ShapeSpec> plate(bool in_pieces) {
-  if (!in_pieces) return {scenes::box("body", {4 * r, 2 * r, 2 * r})};
-  return {scenes::box("piece", {2 * r, 2 * r, 2 * r}),
-          scenes::union_of("body", {{"piece", {-r, 0, 0}, {}}, {"piece", {r, 0, 0}, {}}})};
+  std::vector<ShapeSpec> shapes{scenes::box("knob", {r, r, r}), scenes::box("whole", {4 * r, 2 * r, 2 * r}),
+                                scenes::box("piece", {2 * r, 2 * r, 2 * r})};
+  std::vector<PartSpec> parts{{"knob", {0.2 * r, 1.5 * r, 0}, {}}, {"knob", {-0.2 * r, -1.5 * r, 0}, {}}};
+  if (in_pieces) {
+    parts.push_back({"piece", {-r, 0, 0}, {}});
+    parts.push_back({"piece", {r, 0, 0}, {}});
+  } else {
+    parts.push_back({"whole", {}, {}});
+  }
+  shapes.push_back(scenes::union_of("body", parts));
+  return shapes;
 }
 
 Scene above_the_floor(const LawSpec& law, const std::vector<ShapeSpec>& shapes, double restitution = 1) {
@@ -48,6 +56,7 @@ TEST_P(LawParts, APlateInPiecesActsAsTheWhole) {
       s.bodies = {scenes::body("body", "m", {0, 0, r * (1 + 2.2 * std::sin(tilt))}, {0.02, 0.03, -0.2}, {},
                                scenes::turn({0, 1, 0}, tilt))};
       World w = build_world(s);
+      ASSERT_EQ(w.particles.kind[0], shapes::Kind::compound);
       bool met = false;
       std::uint64_t last = 0;
       for (int i = 0; i < 1500; ++i) {
@@ -67,6 +76,56 @@ TEST_P(LawParts, APlateInPiecesActsAsTheWhole) {
                 static_cast<unsigned long long>(steps[1]));
     EXPECT_LT(scenes::length(speed[0] - speed[1]), 2e-3 * 0.2) << tilt;
     EXPECT_LT(scenes::length(spin[0] - spin[1]) * r, 2e-3 * 0.2) << tilt;
+  }
+}
+
+// An L flat on the floor, of bars that cross or of others: what its parts feel adds to the force on one contact.
+TEST_P(LawParts, AnLOnItsSideIsOneContact) {
+  const double overlap = 2e-3 * r;
+  for (const int cut : {0, 1}) {
+    std::vector<ShapeSpec> shapes{scenes::box("long", {3 * r, r, r}), scenes::box("stub", {r, 2 * r, r}),
+                                  scenes::box("tall", {r, 3 * r, r})};
+    const std::vector<PartSpec> other = cut == 0 ? std::vector<PartSpec>{{"stub", {-r, 1.5 * r, 0}, {}}}
+                                                 : std::vector<PartSpec>{{"tall", {-r, r, 0}, {}}};
+    std::vector<PartSpec> parts{{"long", {}, {}}};
+    parts.insert(parts.end(), other.begin(), other.end());
+    shapes.push_back(scenes::union_of("body", parts));
+    Scene s = above_the_floor(law(), shapes);
+    s.bodies = {scenes::body("body", "m", {0, 0, 0.5 * r - overlap})};
+    const World w = build_world(s);
+    const auto touching = touching_contacts(w);
+    Vec3d force{};
+    for (const ContactReport& c : touching) force += c.force;
+    const double expected = law_loop::force_of(w, w.particles.motion[0].equivalent_radius, overlap);
+    EXPECT_NEAR(force.z / expected, 1, 1e-9) << "cut " << cut << ", parts that touch: " << touching.size();
+  }
+}
+
+// A ball of two that nearly coincide, latched by an impact, turns on the spot in its dent: where the contact passes
+// from one to the other, the new one has been as deep as the old one. Otherwise it would yield afresh and lift the
+// ball.
+TEST(LawsOnParts, PlasticMemoryPassesFromPartToPart) {
+  for (const LawName name : {LawName::partially_latching_spring, LawName::thornton_ning}) {
+    Scene s = above_the_floor(law_loop::combination(name),
+                              {scenes::clump("body", {{-0.01 * r, 0, 0, r}, {0.01 * r, 0, 0, r}})}, 0.3);
+    s.materials[0].friction = 0;
+    s.materials[0].yield_pressure = 2e4;
+    s.gravity = {0, 0, -200};
+    s.bodies = {scenes::body("body", "m", {0, 0, 1.0101 * r}, {0, 0, -0.2}, {0, 100, 0}, scenes::turn({0, 1, 0}, 1.5))};
+    World w = build_world(s);
+    std::size_t both = 0;
+    double least = 1;
+    while (w.particles.rotation[0].y < 2.4) {
+      advance(w, 1);
+      const Contacts& c = w.contacts;
+      if (touching_contacts(w).size() < 2) continue;
+      ++both;
+      const double one = c.memory[0], other = c.memory[c.words];  // of both laws the largest overlap comes first
+      least = std::min(least, std::min(one, other) / std::max(one, other));
+    }
+    std::printf("  on both parts for %zu steps, their largest overlaps in the ratio %.4f\n", both, least);
+    EXPECT_GT(both, 100u);
+    EXPECT_GT(least, 0.98);
   }
 }
 
