@@ -65,7 +65,8 @@ Scene two_sizes() {
   return s;
 }
 
-// Groups (small of smooth), (large of rough): their pairs and walls against 2 sqrt(m*/k) and 2 sqrt(2 m*/(7 kt)).
+// Groups (small of smooth), (large of rough): their pairs and walls against 2 sqrt(m*/k) and 2 sqrt(2 m*/(7 kt)), whose
+// dashpot is sqrt(7/2) times as strong.
 TEST(Forecast, LimitsOfEveryPairInClosedForm) {
   const World w = build_world(two_sizes());
   const auto groups = body_groups(w);
@@ -78,6 +79,7 @@ TEST(Forecast, LimitsOfEveryPairInClosedForm) {
   const auto mass = [](double rho, double r) { return rho * 4 / 3 * pi * r * r * r; };
   const double small = mass(2500, 0.005), light = mass(5000, 0.005);  // of scale 0.5
   const double beta = contact::clipped_damping(0.5), damped = std::sqrt(1 + beta * beta) - beta;
+  const double stuck = std::sqrt(1 + 3.5 * beta * beta) - std::sqrt(3.5) * beta;
   const double soft = 1e4, mixed = 2 / (1 / 1e4 + 1 / 4e4), hard = 4e4, ratio = 2 * (1 - 0.3) / (2 - 0.3);
   const auto limit = [](double m, double k) { return 2 * std::sqrt(m / k); };
   const auto expect = [&](std::size_t i, bool wall, double normal, double tangential) {
@@ -92,8 +94,8 @@ TEST(Forecast, LimitsOfEveryPairInClosedForm) {
   const double both = small * light / (small + light);
   expect(1, false, damped * limit(both, mixed), 0);  // the lower friction of the two: 0
   expect(2, true, damped * limit(small, mixed), 0);
-  expect(3, false, damped * limit(light / 2, hard), damped * limit(light / 2 / 3.5, hard * ratio));
-  expect(4, true, damped * limit(light, hard), damped * limit(light / 3.5, hard * ratio));
+  expect(3, false, damped * limit(light / 2, hard), stuck * limit(light / 2 / 3.5, hard * ratio));
+  expect(4, true, damped * limit(light, hard), stuck * limit(light / 3.5, hard * ratio));
   double least = limits[0].limit();
   for (const PairLimit& l : limits) least = std::min(least, l.limit());
   EXPECT_EQ(w.time_step.limit, least);

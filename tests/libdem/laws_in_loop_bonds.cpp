@@ -174,7 +174,7 @@ double pull_off(const LawSpec& law, Shape shape) {
   while (pull < 2 * guess && !touching_contacts(w).empty()) {
     pull += part;
     w.scene.gravity.z = pull / m.mass;
-    run(400);
+    run(700);
   }
   pull -= 0.5 * part;
   return pull / (m.pair.work_of_adhesion * m.radius_eff * std::numbers::pi);

@@ -8,7 +8,7 @@
 namespace dem {
 namespace {
 
-constexpr std::uint64_t bodies = 120, steps = 500;
+constexpr std::uint64_t bodies = 120, steps = 700;
 
 struct Reference {
   Scene scene = scenes::bodies_of_parts(bodies);

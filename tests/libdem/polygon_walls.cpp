@@ -64,7 +64,7 @@ TEST(PolygonWalls, CarryTheWeight) {
   Scene s = trough();
   s.walls.resize(3);
   s.walls[2].motion = WallMotion::fixed;
-  const World w = scenes::run(s, 60000);
+  const World w = scenes::run(s, 120000);
   double weight = 0;
   for (const double m : w.particles.mass) weight += 10 * m;
   EXPECT_NEAR(-w.walls[0].force.y - w.walls[1].force.y - w.walls[2].force.y, weight, 0.02 * weight);
@@ -82,10 +82,10 @@ TEST(PolygonWalls, AFaceIsALine) {
     s.walls.resize(1);
     s.bodies = {
         scenes::body(shape, "soft", {0.004, 0.009, 0}, {0.3, -0.4, 0}, {0, 0, 9}, scenes::turn({0, 0, 1}, 0.3))};
-    const World face = scenes::run(s, 2000);
+    const World face = scenes::run(s, 4000);
     s.walls[0] = scenes::plane("floor", "soft", {0, 0, 0}, {0, 1, 0});
     s.walls[0].kind = "line";
-    const World line = scenes::run(s, 2000);
+    const World line = scenes::run(s, 4000);
     EXPECT_GT(face.counters.contact_steps, 20u) << shape;
     EXPECT_EQ(face.counters.contact_steps, line.counters.contact_steps) << shape;
     EXPECT_EQ(face.time_step.dt, line.time_step.dt);

@@ -79,19 +79,19 @@ TEST(RoundedPolyhedra, BoxesComeToRestOnAPlane) {
 
 TEST(RoundedPolyhedra, SameBitsForThreadsSkinAndRebuild) {
   Scene s = tray(90);
-  const World one = scenes::run(s, 400, 1);
+  const World one = scenes::run(s, 600, 1);
   EXPECT_GT(contacts_per_particle(one), 0.3);
   EXPECT_EQ(one.counters.not_converged, 0u);
   const std::uint64_t hash = state_hash(one);
-  EXPECT_EQ(state_hash(scenes::run(s, 400, 4)), hash);
+  EXPECT_EQ(state_hash(scenes::run(s, 600, 4)), hash);
   s.run.skin = 0.0004;
-  EXPECT_EQ(state_hash(scenes::run(s, 400, 2)), hash);
+  EXPECT_EQ(state_hash(scenes::run(s, 600, 2)), hash);
   s.run.rebuild_every = 1;
-  EXPECT_EQ(state_hash(scenes::run(s, 400, 2)), hash);
+  EXPECT_EQ(state_hash(scenes::run(s, 600, 2)), hash);
   World resumed = build_world(tray(90));
   World first = scenes::run(tray(90), 200, 1);
   load_state(resumed, save_state(first));
-  for (int i = 0; i < 200; ++i) advance(resumed, 1);
+  for (int i = 0; i < 400; ++i) advance(resumed, 1);
   EXPECT_EQ(state_hash(resumed), hash);
 }
 
