@@ -93,7 +93,7 @@ class LawRules : RuleContext {
       if (read_.erase("stiffness") == 0)
         wrong("law", 0, "reference_speed", fmt::format("is for linear laws, found normal law {}", names_.normal));
       for (std::size_t i = 0; i < scene.materials.size(); ++i)
-        if (node("material", i, "stiffness"))
+        if (scene.materials[i].stiffness > 0)
           wrong("material", i, "stiffness", "give it or law.reference_speed, not both");
       read_.emplace("young", " (Pa)");
     }
@@ -115,7 +115,7 @@ class LawRules : RuleContext {
   void material(std::size_t i) {
     const MaterialSpec& m = scene.materials[i];
     restitution("material", i, m.restitution);
-    if (node("material", i, "work_of_adhesion") && node("material", i, "surface_energy"))
+    if (m.work_of_adhesion > 0 && m.surface_energy > 0)
       wrong("material", i, "surface_energy", "is half the work of adhesion: give one of the two");
     for (const Parameter& p : parameters) {
       const auto unit = read_.find(p.name);
@@ -126,7 +126,7 @@ class LawRules : RuleContext {
         continue;
       }
       const bool half = std::string_view(p.name) == "surface_energy" && read_.contains("work_of_adhesion");
-      if (!p.common && !half && node("material", i, p.name)) unread("material", i, p.name);
+      if (!p.common && !half && m.*p.value > 0) unread("material", i, p.name);
     }
   }
 
@@ -161,7 +161,7 @@ class LawRules : RuleContext {
                                      std::pair{"bridge_volume", scene.law.bridge_volume}}) {
       if (bridges && !(value > 0))
         wrong("law", 0, key, fmt::format("allowed law.{} > 0 with cohesion {}", key, names_.cohesion));
-      if (!bridges && node("law", 0, key)) unread("law", 0, key);
+      if (!bridges && value > 0) unread("law", 0, key);
     }
   }
 

