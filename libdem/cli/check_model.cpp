@@ -10,6 +10,7 @@
 #include "libcontact/methods/polygon_regions.h"
 #include "libdem/cli/check_parts.h"
 #include "libdem/detection.h"
+#include "libdem/law_map.h"
 #include "libdem/laws_of_scene.h"
 #include "libdem/parts.h"
 #include "libdem/render/render.h"
@@ -94,12 +95,15 @@ void print_law(const World& world) {
   else
     line("tangential",
          world.law.hertzian ? fmt::format("{}, rescale {}", names.tangential, law.rescale) : names.tangential);
-  line("rolling, twisting", names.rolling == "none" ? "off: no law named" : names.rolling);
+  line("map", law.map == LawMap::edge_radius ? fmt::format("edge_radius, {} m", law.edge_radius) : name_of(law.map));
+  line("rolling", names.rolling == "none" ? "off: no law named" : names.rolling);
   line("cohesion",
        names.cohesion == "none" ? world.law.lingers ? "of the normal law" : "off: no law named" : names.cohesion);
-  line("memory", world.law.fused() && !law.ledger
-                     ? std::string("64 bytes per contact, in one fused kernel")
-                     : fmt::format("{} bytes per contact, one kernel per law", 64 + 8 * (world.law.words + 1)));
+  const std::size_t of_map = map_words(world);
+  line("memory",
+       world.law.fused() && !law.ledger && of_map == 0
+           ? std::string("64 bytes per contact, in one fused kernel")
+           : fmt::format("{} bytes per contact, one kernel per law", 64 + 8 * (world.law.words + of_map + 1)));
   line("friction", share(rough, "Coulomb", "off: every pair of materials has friction 0"));
   line("damping",
        share(damped, law.clip ? "dashpot, contacts end at zero force" : "dashpot, contacts end at zero overlap",

@@ -69,7 +69,7 @@ TEST(Check, SaysWhatTheSceneIs) {
   const Folder folder;
   const Outcome o = program::dem({"check", folder.write("scene.toml", program::small_scene), "--set", "run.dt=auto"});
   ASSERT_EQ(o.exit_code, 0) << o.err;
-  for (const char* part : {"bodies: 3", "ball", "egg", "floor", "dt ", "auto", "limit", "200 to t =", "Hertz",
+  for (const char* part : {"bodies: 3", "ball", "egg", "floor", "dt ", "auto", "limit", "200 to t =", "hertz_mindlin",
                            "off: no [[outlet]]", "collision at", "egg on wall floor", "Rayleigh", "impact",
                            "weight of the bed", "rebuild of the list", "memory", "disk"})
     EXPECT_TRUE(has(o.out, part)) << part << "\nnot in\n" << o.out;
