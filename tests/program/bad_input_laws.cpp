@@ -1,5 +1,6 @@
 // Wrong and missing parameters of laws: exit code 2, file:line:column, what is read or allowed; nothing written. And
-// for every law of every list: a scene that gives what it reads is taken, what it does not read is refused.
+// for every law of every list: a scene that gives what it reads is taken, and again as a run writes it; what it does
+// not read is refused.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -246,6 +247,11 @@ void expect_parameters_are_known(const char* family) {
     const bool damped = std::string_view(family) != "normal" || has("restitution");
     const Outcome good = check(scene_of(lines, given, damped));
     EXPECT_EQ(good.exit_code, 0) << family << " " << law.name << "\n" << good.err;
+    const Folder folder;
+    const std::string scene = folder.write("scene.toml", scene_of(lines, given, damped));
+    ASSERT_EQ(program::dem({"run", scene, "--out", folder.path("out"), "--set", "run.steps=1"}).exit_code, 0);
+    const Outcome again = program::dem({"check", folder.path("out/scene.toml")});  // states every key
+    EXPECT_EQ(again.exit_code, 0) << family << " " << law.name << "\n" << again.err;
     for (const auto& [key, value] : values()) {
       if (has(key) || key == "stiffness") continue;  // stiffness may stand in any library of materials
       const Outcome bad = check(scene_of(lines, given + key + " = " + value + "\n", damped));
@@ -255,11 +261,9 @@ void expect_parameters_are_known(const char* family) {
   });
 }
 
-TEST(LawParameters, AreWhatEveryLawReadsAndNoOther) {
-  expect_parameters_are_known<contact::NormalLaws>("normal");
-  expect_parameters_are_known<contact::TangentialLaws>("tangential");
-  expect_parameters_are_known<contact::RollingLaws>("rolling");
-  expect_parameters_are_known<contact::CohesionLaws>("cohesion");
-}
+TEST(LawParameters, OfNormalLaws) { expect_parameters_are_known<contact::NormalLaws>("normal"); }
+TEST(LawParameters, OfTangentialLaws) { expect_parameters_are_known<contact::TangentialLaws>("tangential"); }
+TEST(LawParameters, OfRollingLaws) { expect_parameters_are_known<contact::RollingLaws>("rolling"); }
+TEST(LawParameters, OfCohesion) { expect_parameters_are_known<contact::CohesionLaws>("cohesion"); }
 
 }  // namespace
