@@ -12,6 +12,7 @@
 #include "libdem/deformation.h"
 #include "libdem/detection.h"
 #include "libdem/events/events.h"
+#include "libdem/fields/drag_force.h"
 #include "libdem/forces.h"
 #include "libdem/insertion/rain.h"
 #include "libdem/insertion/region.h"
@@ -327,6 +328,7 @@ World build_world(const Scene& scene) {
   compute_forces(world, 1, 0.0);  // no time has passed: history of initial contacts begins without slip
   check_initial_overlap(world, where);
   sum_forces(world, 1);
+  add_drag(world, 1, 0.0);
   const Vec3d p = momentum(world);
   world.balance.initial_momentum = {p.x, p.y, p.z};
   for (const std::uint32_t i : order_by_id(world)) world.balance.initial_mass += world.particles.mass[i];

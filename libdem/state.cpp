@@ -89,6 +89,7 @@ void particles(Archive& a, W& world) {
   a.value(world.tightest_limit);
   a.value(world.counters);
   a.value(world.balance);
+  a.value(world.drag_force);
   a.list(world.discharge);
   std::remove_reference_t<decltype(p)>::each_array(p, [&](auto& array) { a.list(array); });
   auto& cell = world.cell;

@@ -10,6 +10,7 @@
 #include "libdem/coherence.h"
 #include "libdem/deformation.h"
 #include "libdem/events/events.h"
+#include "libdem/fields/drag_force.h"
 #include "libdem/forces.h"
 #include "libdem/insertion/rain.h"
 #include "libdem/integrators/rotation.h"
@@ -108,7 +109,7 @@ void kick_again(World& world, int threads, double dt, const CellStep& flow) {
 void book_impulse(World& world, double h) {
   Vec3d f{};
   for (const Wall& w : world.walls) f -= w.force;
-  f += world.scene.gravity * world.balance.present.value();
+  f += world.scene.gravity * world.balance.present.value() + world.drag_force;
   for (int k = 0; k < 3; ++k) world.balance.impulse[static_cast<std::size_t>(k)].add(f[k] * h);
 }
 
@@ -158,6 +159,7 @@ void advance(World& world, int threads) {
   }
   compute_forces(world, threads, dt);
   sum_forces(world, threads);
+  add_drag(world, threads, dt);
   book_wall_loads(world, dt);
   check_inserted_walls(world);
 

@@ -153,6 +153,7 @@ struct World {
   std::uint64_t next_id = 0;
   Counters counters;
   Balance balance;
+  Vec3d drag_force{};  // on all bodies together, this step, N
   std::vector<OutletRecord> outlets;
   std::vector<DischargePoint> discharge;  // one entry for each body that left
   std::vector<RainRecord> rains;

@@ -54,6 +54,8 @@ void print_space(const World& world) {
   line("gravity", s.gravity == Vec3d{}
                       ? "off: world.gravity is zero"
                       : fmt::format("{:.6g} {:.6g} {:.6g} m/s^2", s.gravity.x, s.gravity.y, s.gravity.z));
+  line("drag", s.drag.law == "none" ? "off: drag.law is none"
+                                    : fmt::format("{}, the flow is not changed by the bodies", s.drag.law));
 }
 
 // Kinds that contacts see: a body of parts is its parts.

@@ -51,6 +51,12 @@ class Rules : RuleContext {
     check_insertion_rules(*this);
     check_periodic_rules(*this);
     check_law_rules(*this);
+    if (!scene.drag.gradient.empty() && scene.drag.gradient.size() != 3)
+      wrong("drag", 0, "gradient", fmt::format("allowed three rows, found {}", scene.drag.gradient.size()));
+    if (scene.dimension == 2 && scene.drag.velocity.z != 0)
+      wrong("drag", 0, "velocity", "allowed: 0 along z in a 2-D scene");
+    if (scene.dimension == 2 && scene.drag.gradient.size() == 3 && !(scene.drag.gradient[2] == Vec3d{}))
+      wrong("drag", 0, "gradient", "allowed: a third row of zeros in a 2-D scene");
     pairs();
     particles();
     for (std::size_t i = 0; i < scene.materials.size(); ++i) material(i);

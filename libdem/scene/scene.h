@@ -229,6 +229,15 @@ struct PeriodicSpec {         // a box whose opposite faces are one face
   bool along(int axis) const { return axes != "none" && axes.find("xyz"[axis]) != std::string::npos; }
 };
 
+struct DragSpec {            // of a given flow, which the bodies do not change
+  std::string law = "none";  // or one of drag_laws (fields/drag.h)
+  double density = 0;        // of the fluid, kg/m³
+  double viscosity = 0;      // Pa s
+  double drag_coefficient = 0;
+  Vec3d velocity{};             // of the fluid at the origin, m/s
+  std::vector<Vec3d> gradient;  // rows of dv_i/dx_j, 1/s; empty: uniform
+};
+
 // Two-dimensional bodies are prisms of the scene's thickness, or (discs only) spheres that move in a plane.
 enum class DiscModel { prism, sphere };
 
@@ -239,6 +248,7 @@ struct Scene {
   OutputSpec output;
   Vec3d gravity{};  // m/s²
   PeriodicSpec periodic;
+  DragSpec drag;
   int dimension = 3;
   DiscModel disc_model = DiscModel::prism;
   double thickness = 0;  // m, of the prisms of a two-dimensional scene

@@ -238,6 +238,7 @@ std::shared_ptr<const Section> whole() {
            value<&Scene::thickness>("thickness", "m", "Thickness of the prisms; needed where dimension = 2.").above(0)})
           .must(),
       table<&Scene::periodic>("periodic", "Periodic boundaries.", periodic_keys()),
+      table<&Scene::drag>("drag", "The drag of a given flow on the bodies.", drag_keys()),
       heading<Scene>(
           "contact", "How contacts are detected.",
           {value<&Scene::method>("method", "",

@@ -1,4 +1,5 @@
-// The keys of [periodic].
+// The keys of [periodic] and [drag].
+#include "libdem/fields/drag.h"
 #include "libdem/scene/schema_bind.h"
 #include "libdem/scene/schema_tables.h"
 
@@ -56,6 +57,28 @@ std::vector<Key> periodic_keys() {
       tables<&PeriodicSpec::deform>("deform", "How the box deforms, about its centre; it takes the bodies along.",
                                     deform_keys())
           .when("axes", some),
+  };
+}
+
+std::vector<Key> drag_keys() {
+  std::vector<std::string> laws{"none"};
+  for (const DragLawInfo& l : drag_laws) laws.emplace_back(l.name);
+  return {
+      value<&DragSpec::law>("law", "", "Stokes, Schiller and Naumann, a constant coefficient, or none.").one_of(laws),
+      value<&DragSpec::density>("density", "kg/m^3", "Of the fluid.")
+          .above(0)
+          .when("law", {"schiller_naumann", "quadratic"})
+          .must(),
+      value<&DragSpec::viscosity>("viscosity", "Pa s", "Of the fluid.")
+          .above(0)
+          .when("law", {"stokes", "schiller_naumann"})
+          .must(),
+      value<&DragSpec::drag_coefficient>("drag_coefficient", "", "C of pi/8 C rho d^2 u^2.")
+          .above(0)
+          .when("law", {"quadratic"})
+          .must(),
+      value<&DragSpec::velocity>("velocity", "m/s", "Of the fluid at the origin."),
+      value<&DragSpec::gradient>("gradient", "1/s", "Three rows of dv_i/dx_j; without it the flow is uniform."),
   };
 }
 

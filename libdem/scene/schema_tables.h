@@ -9,6 +9,7 @@ namespace dem {
 
 std::vector<Key> wall_keys();         // of [[wall]]
 std::vector<Key> periodic_keys();     // of [periodic]
+std::vector<Key> drag_keys();         // of [drag]
 std::vector<Key> law_keys();          // of [law]
 std::vector<Key> material_keys();     // of [[material]]
 std::vector<Key> pair_keys();         // of [[material_pair]]
