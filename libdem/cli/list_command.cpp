@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "libcontact/dispatch.h"
 #include "libcontact/laws/list.h"
@@ -81,6 +82,26 @@ Json pairs_json() {
   return out;
 }
 
+// "young (Pa), poisson" -> "young > 0 Pa, 0 <= poisson <= 0.5".
+std::string with_ranges(std::string_view parameters) {
+  std::vector<std::string> list;
+  while (!parameters.empty()) {
+    const std::size_t end = std::min(parameters.find(", "), parameters.size());
+    const std::string name(parameters.substr(0, std::min(parameters.find(' '), end)));
+    const Key* key = find_key("material." + name);
+    if (key == nullptr) throw std::logic_error("material has no key " + name);
+    list.push_back(key->range.text(name) + (key->unit.empty() ? "" : " " + key->unit));
+    parameters.remove_prefix(std::min(end + 2, parameters.size()));
+  }
+  return fmt::format("{}", fmt::join(list, ", "));
+}
+
+std::string needs_of(std::string_view law) {
+  for (const contact::Partners& p : contact::partners)
+    if (p.law == law) return fmt::format("normal law {}", p.normal);
+  return law.starts_with("liquid_bridge") ? "law.surface_tension, law.bridge_volume" : "";
+}
+
 // A law of one family; `beside`: words of its memory that are elsewhere.
 template <class List>
 void add_laws(const char* family, std::size_t beside, Json& out) {
@@ -88,7 +109,8 @@ void add_laws(const char* family, std::size_t beside, Json& out) {
     const std::size_t words = contact::state_words<decltype(law)>;
     out.push_back({{"family", family},
                    {"name", law.name},
-                   {"material", law.parameters},
+                   {"material", with_ranges(law.parameters)},
+                   {"needs", needs_of(law.name)},
                    {"memory_bytes", 8 * (words - std::min(words, beside))},
                    {"remark", law.remark},
                    {"source", law.source}});
@@ -103,6 +125,7 @@ Json laws_json() {
                    {"name", l.name},
                    {"material", fmt::format("{} + {}, rolling {}, cohesion {}{}", l.normal, l.tangential, l.rolling,
                                             l.cohesion, l.damped ? "" : "; no restitution")},
+                   {"needs", ""},
                    {"memory_bytes", 8 * model->words},
                    {"remark", l.remark},
                    {"source", ""}});

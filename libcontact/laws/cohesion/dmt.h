@@ -15,7 +15,7 @@ namespace contact {
 
 struct Dmt {
   static constexpr const char* name = "dmt";
-  static constexpr const char* parameters = "work_of_adhesion (J/m2)";
+  static constexpr const char* parameters = "work_of_adhesion (J/m^2)";
   static constexpr const char* remark = "2 pi W R* while the bodies overlap";
   static constexpr const char* source = "Derjaguin, Muller & Toporov 1975; Maugis 1992";
   template <class T>

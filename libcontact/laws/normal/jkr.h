@@ -62,7 +62,7 @@ JkrRadius<T> jkr_radius(const T& young_eff, const T& work_of_adhesion, const T& 
 
 struct Jkr {
   static constexpr const char* name = "jkr";
-  static constexpr const char* parameters = "young (Pa), poisson, restitution, work_of_adhesion (J/m2)";
+  static constexpr const char* parameters = "young (Pa), poisson, restitution, work_of_adhesion (J/m^2)";
   static constexpr const char* remark = "adhesive Hertz: made at touch, let go across a gap; kt = 8 G* a";
   static constexpr const char* source = "Johnson, Kendall & Roberts 1971; Thornton & Yin 1991";
   static constexpr Loss loss = Loss::adhesive;

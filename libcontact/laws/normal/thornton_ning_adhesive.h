@@ -27,7 +27,7 @@ namespace contact {
 
 struct ThorntonNingAdhesive {
   static constexpr const char* name = "thornton_ning_adhesive";
-  static constexpr const char* parameters = "young (Pa), poisson, yield_pressure (Pa), work_of_adhesion (J/m2)";
+  static constexpr const char* parameters = "young (Pa), poisson, yield_pressure (Pa), work_of_adhesion (J/m^2)";
   static constexpr const char* remark = "JKR, yielding at a pressure, unloading flattened; no dashpot; kt = 8 G* a";
   static constexpr const char* source = "Thornton & Ning 1998";
   static constexpr Loss loss = Loss::plastic;

@@ -28,7 +28,8 @@ shapes::Vec3<T> carried(const shapes::Vec3<T>& f, const shapes::Vec3<T>& n_old, 
 struct CoulombSpring {
   static constexpr const char* name = "coulomb_spring";
   static constexpr const char* parameters = "friction";
-  static constexpr const char* remark = "spring and dashpot under Coulomb's cap, no micro-slip";
+  static constexpr const char* remark =
+      "spring and dashpot under Coulomb's cap, no micro-slip; rescale = false may create 2.6 % of what was stored";
   static constexpr const char* source =
       "Mindlin 1949, no slip; rescaling on unloading: Agnolin & Roux 2007, Thornton et al. 2013";
   static constexpr int vectors = 1;

@@ -32,7 +32,10 @@ namespace contact {
 struct MindlinDeresiewicz {
   static constexpr const char* name = "mindlin_deresiewicz";
   static constexpr const char* parameters = "friction";
-  static constexpr const char* remark = "micro-slip of a Hertz contact in steps; two turning points remembered";
+  static constexpr const char* remark =
+      "micro-slip of a Hertz contact in steps; literal: a closed path may create 0.4 % of what was stored, with "
+      "deficit "
+      "4.7 %; safe: memory_diagram";
   static constexpr const char* source = "Mindlin & Deresiewicz 1953; Box 9.1 of Seville & Wu 2016";
   static constexpr bool needs_contact_radius = true;
   static constexpr int vectors = 2;
