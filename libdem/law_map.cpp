@@ -62,14 +62,15 @@ RadiusBound curvature_bound(const contact::Body& body, double equivalent) {
     return {most * (most / least), 1};
   }
   if (body.kind == Kind::rounded_polyhedron) return {body.size.y, 1};
-  if (body.kind != Kind::potential_particle) return {equivalent, 1};
+  const auto* particle = static_cast<const shapes::PotentialParticle*>(body.geometry);
+  if (body.kind != Kind::potential_particle || particle == nullptr) return {equivalent, 1};
   // Flattest in the middle of its faces; a ratio of a hundred raises R* by 1.9 (laws/elliptical.h).
   RadiusBound bound{0, 100};
   const auto look = [&](const Vec3d& n) {
     contact::Curvature c;
     if (contact::curvature(body, n, c)) bound.radius = std::max(bound.radius, 1 / std::sqrt(c.least * c.most));
   };
-  for (const auto& plane : static_cast<const shapes::PotentialParticle*>(body.geometry)->planes) look(plane.normal);
+  for (const auto& plane : particle->planes) look(plane.normal);
   for (int i = 0; i < 256; ++i) {  // directions all over the sphere
     const double z = (2 * i + 1) / 256.0 - 1, r = std::sqrt(1 - z * z), angle = 2.399963229728653 * i;
     look({r * std::cos(angle), r * std::sin(angle), z});

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "libcontact/laws/list.h"
 #include "libcontact/laws/mix.h"
@@ -25,7 +26,10 @@ contact::LawNames law_names(const LawSpec& law) {
           pick(law.cohesion, own.cohesion)};
 }
 
-contact::LawModel law_model_of(const LawSpec& law) { return contact::law_model(law_names(law)).value(); }
+contact::LawModel law_model_of(const LawSpec& law) {
+  if (const auto model = contact::law_model(law_names(law))) return *model;
+  throw std::logic_error("law " + law_title(law) + " is in no list");
+}
 
 contact::LawOptions law_options_of(const LawSpec& law) {
   return {law.rescale, law.clip, law.deficit, law.surface_tension, law.bridge_volume};

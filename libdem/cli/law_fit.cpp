@@ -87,8 +87,9 @@ std::vector<Measured> read_measured(const std::string& file, const LawTest& test
     for (std::size_t q = 0; q < quantity_count; ++q) {
       const auto c = io::find_column(t, quantities[q].name);
       if (!c || t.rows[r][*c].empty()) continue;
-      m.value[q] = io::number(t, r, *c);
-      if (quantities[q].scale == 0 && !(*m.value[q] > 0))
+      const double value = io::number(t, r, *c);
+      m.value[q] = value;
+      if (quantities[q].scale == 0 && !(value > 0))
         input_error({file, t.lines[r], t.positions[r][*c]}, fmt::format("{} must be > 0", quantities[q].name));
       any = true;
     }
@@ -137,9 +138,10 @@ class Fit {
       how.dt = approach_of(step, setup).dt;
       const Rebound r = impact(setup.contact, setup.a, setup.b, how);
       for (std::size_t q = 0; q < quantity_count; ++q) {
-        if (!m.value[q]) continue;
-        const double miss = quantities[q].of(r) - *m.value[q];
-        const double part = miss / (quantities[q].scale > 0 ? quantities[q].scale : *m.value[q]);
+        const std::optional<double>& value = m.value[q];
+        if (!value) continue;
+        const double miss = quantities[q].of(r) - *value;
+        const double part = miss / (quantities[q].scale > 0 ? quantities[q].scale : *value);
         total += part * part;
         if (squares) (*squares)[q] += miss * miss;
       }
