@@ -17,6 +17,13 @@
 #define KERNEL_SET host
 #endif
 
+// A kernel is one loop with everything in line. Under the address sanitizer that takes minutes to compile.
+#ifdef __SANITIZE_ADDRESS__
+#define KERNEL_IN_LINE
+#else
+#define KERNEL_IN_LINE __attribute__((flatten))
+#endif
+
 namespace contact::kernels {
 inline namespace KERNEL_SET {
 
@@ -95,7 +102,7 @@ Kinematics<Pack> kinematics(const LawChunk& c, std::size_t i, const Pack& depth,
 }
 
 template <class Normal, bool patch>
-__attribute__((flatten)) void law_kernel(LawChunk& c, std::size_t count, double dt, const LawOptions& options) {
+KERNEL_IN_LINE void law_kernel(LawChunk& c, std::size_t count, double dt, const LawOptions& options) {
   typename Normal::template State<Pack> none{};
   for (std::size_t i = 0; i < count; i += Pack::size()) {
     const Pack depth = larger(load(c.overlap, i), Pack(0));

@@ -61,7 +61,7 @@ Kinematics<Pack> seen(const LawChunk& c, const LawWork& w, std::size_t i, const 
 }
 
 template <class Law>
-__attribute__((flatten)) void normal_stage(LawChunk& c, LawWork& w, std::size_t count, const StageCall& call) {
+KERNEL_IN_LINE void normal_stage(LawChunk& c, LawWork& w, std::size_t count, const StageCall& call) {
   using State = typename Law::template State<Pack>;
   for (std::size_t i = 0; i < count; i += Pack::size()) {
     State s = load_state<State>(w, i, call.memory);
@@ -97,7 +97,7 @@ __attribute__((flatten)) void normal_stage(LawChunk& c, LawWork& w, std::size_t 
 }
 
 template <class Law>
-__attribute__((flatten)) void tangential_stage(LawChunk& c, LawWork& w, std::size_t count, const StageCall& call) {
+KERNEL_IN_LINE void tangential_stage(LawChunk& c, LawWork& w, std::size_t count, const StageCall& call) {
   using State = typename Law::template State<Pack>;
   for (std::size_t i = 0; i < count; i += Pack::size()) {
     const Kinematics<Pack> k = seen(c, w, i, call);
@@ -114,7 +114,7 @@ __attribute__((flatten)) void tangential_stage(LawChunk& c, LawWork& w, std::siz
 }
 
 template <class Law>
-__attribute__((flatten)) void rolling_stage(LawChunk& c, LawWork& w, std::size_t count, const StageCall& call) {
+KERNEL_IN_LINE void rolling_stage(LawChunk& c, LawWork& w, std::size_t count, const StageCall& call) {
   using State = typename Law::template State<Pack>;
   for (std::size_t i = 0; i < count; i += Pack::size()) {
     const Kinematics<Pack> k = seen(c, w, i, call);
@@ -129,7 +129,7 @@ __attribute__((flatten)) void rolling_stage(LawChunk& c, LawWork& w, std::size_t
 }
 
 template <class Law>
-__attribute__((flatten)) void cohesion_stage(LawChunk& c, LawWork& w, std::size_t count, const StageCall& call) {
+KERNEL_IN_LINE void cohesion_stage(LawChunk& c, LawWork& w, std::size_t count, const StageCall& call) {
   using State = typename Law::template State<Pack>;
   for (std::size_t i = 0; i < count; i += Pack::size()) {
     Kinematics<Pack> k = seen(c, w, i, call);
@@ -143,7 +143,7 @@ __attribute__((flatten)) void cohesion_stage(LawChunk& c, LawWork& w, std::size_
   }
 }
 
-__attribute__((flatten)) void finish_stage(LawChunk& c, LawWork& w, std::size_t count, const StageCall& call) {
+KERNEL_IN_LINE void finish_stage(LawChunk& c, LawWork& w, std::size_t count, const StageCall& call) {
   for (std::size_t i = 0; i < count; i += Pack::size()) {
     const V n = load(c.normal, i);
     const NormalForce<Pack> f = load(w.normal, i);
