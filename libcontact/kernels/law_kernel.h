@@ -62,11 +62,11 @@ inline V patch_couple(LawChunk& c, std::size_t i, const V& n, const NormalForce<
   V rolling = cross(n, su) * f.damping;
   const Pack cap_r = f.holding * arm, size2 = dot(rolling, rolling);
   const auto beyond = size2 > cap_r * cap_r;
-  rolling = rolling * select(beyond, cap_r / sqrt(select(beyond, size2, Pack(1))), Pack(1));
+  rolling = shortened(rolling, beyond, size2, cap_r);
   const Pack rate = dot(w, n);
   Pack elastic = load(c.history_twist, i) * f.shrink + f.stiffness_t * trace * rate * dt_contact;
   Pack moment = elastic + f.damping_t * trace * rate;
-  const Pack cap = select(f.holding > Pack(0), friction * f.holding, Pack(0)) * arm;
+  const Pack cap = capped(friction, f.holding) * arm;
   const auto slides = moment * moment > cap * cap;
   moment = select(slides, select(moment < Pack(0), -cap, cap), moment);
   elastic = select(slides, moment, elastic);

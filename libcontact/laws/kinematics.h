@@ -11,6 +11,7 @@
 namespace contact {
 
 using shapes::larger;
+using shapes::lesser;
 using shapes::select;
 using shapes::Vec3;
 
@@ -39,6 +40,26 @@ T lag_factor(const T& damping, const T& mass_eff, const T& dt, double p) {
   using std::sqrt;
   const T x = T(0.25 * p) * (damping * dt / mass_eff);
   return sqrt(T(1) + x * x) - x;
+}
+
+// Tsuji's dashpot beside a spring of the stiffness k, with the two corrections for finite steps.
+//   c  = s c0,  c0 = factor · β sqrt(m* k)                                                     [N s/m]  s of (1)
+//   w  = (4/5)(f + ½) ((f + ½)/f)^¼ in the first step of a contact, of which the part f was spent in contact, else 1:
+//        the step's force stands for the time f dt + dt/2, in which the dashpot's grows as t^¼; unclipped also in the
+//        last one
+template <class T>
+struct Dashpot {
+  T damping{};  // c
+  T weight{};   // w
+};
+template <class T>
+Dashpot<T> tsuji_dashpot(const T& factor_beta, const T& stiffness, const Kinematics<T>& k) {
+  using std::sqrt;
+  const T c0 = factor_beta * sqrt(k.mass_eff * stiffness);
+  const T c = c0 * lag_factor(c0, k.mass_eff, k.dt, 10.0 / 11.0);
+  const auto begins = k.onset > T(0);
+  const T x = select(begins, k.onset, T(1)), since = x + T(0.5);
+  return {c, select(begins, T(0.8) * since * sqrt(sqrt(since / x)), T(1))};
 }
 
 template <class T>

@@ -69,4 +69,23 @@ T root_shrink(const Kinematics<T>& k, bool rescale) {
   return select(unloading, sqrt(k.overlap / select(unloading, k.overlap_before, T(1))), T(1));
 }
 
+// A coefficient times what it multiplies: not μ F where μ is infinite and F is not there.
+template <class T>
+T capped(const T& coefficient, const T& force) {
+  return select(force > T(0), coefficient * force, T(0));
+}
+// v, where `longer` than the cap shortened to it.
+template <class M, class T>
+Vec3<T> shortened(const Vec3<T>& v, const M& longer, const T& square, const T& cap) {
+  using std::sqrt;
+  return v * select(longer, cap / sqrt(select(longer, square, T(1))), T(1));
+}
+// Of partial slip, what comes back of a force of this size when the slip reverses, J:
+//   0.3 (Ft²/k) (2 + 4c + 6c² + 3c³)/(1 + c + c²)²
+template <class T>
+T partial_slip_energy(const T& size, const T& compliance, const T& c) {
+  const T c1 = T(1) + c + c * c;
+  return T(0.3) * size * size * compliance * (T(2) + c * (T(4) + c * (T(6) + T(3) * c))) / (c1 * c1);
+}
+
 }  // namespace contact

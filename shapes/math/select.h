@@ -20,5 +20,9 @@ template <class T>
 T larger(const T& a, const T& b) {
   return select(a > b, a, b);
 }
+template <class T>
+T lesser(const T& a, const T& b) {
+  return select(a < b, a, b);
+}
 
 }  // namespace shapes

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "shapes/math/select.h"
+
 namespace shapes {
 
 template <class T>
@@ -41,6 +43,12 @@ constexpr Vec3<T> operator*(const Vec3<T>& a, const T& s) {
 template <class T>
 constexpr bool operator==(const Vec3<T>& a, const Vec3<T>& b) {
   return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+// a where the mask is set, b elsewhere; see select.h.
+template <class M, class T>
+Vec3<T> select(const M& mask, const Vec3<T>& a, const Vec3<T>& b) {
+  return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
 }
 
 template <class T>

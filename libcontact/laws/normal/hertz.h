@@ -3,19 +3,14 @@
 //   Fe = 4/3 E* a δ                      elastic force      [N]     (9.6)
 //   kn = dFe/dδ = 2 E* a                 tangent stiffness  [N/m]   (9.7)
 //   cn = 2 sqrt(5/6) β sqrt(m* kn)       dashpot            [N s/m] (9.26) with the factor that Hertz needs
-//   F  = max(least, Fe + s w cn dδ/dt)                      [N]     s: lag_factor of kinematics.h
+//   F  = max(least, Fe + s w cn dδ/dt)                      [N]     s, w: tsuji_dashpot of kinematics.h
 //   kt = 8 G* a                          no micro-slip      [N/m]   (9.16);  ct as cn with kt
 //   least = 0 when clipped, else −∞
-//   w  = (4/5)(f + ½) ((f + ½)/f)^¼ in the first step of a contact, of which the part f was spent in contact, else 1:
-//        the step's force stands for the time f dt + dt/2, in which the dashpot's grows as t^¼; unclipped also in the
-//        last one
 // Source: Seville & Wu, Particle Technology and Engineering (2016), ch. 9; Tsuji, Tanaka, Ishida, Powder Technol. 71
 // (1992) 239. Valid a << R*. With β from damping_of(e) the rebound speed ratio is e at every impact speed, within
 // 0.2 % at dt = contact time/50. Cost: seven square roots. Tests: tests/libcontact/laws_*.cpp,
 // tests/libdem/two_bodies_*.cpp
 #pragma once
-
-#include <limits>
 
 #include "libcontact/laws/state.h"
 
@@ -37,17 +32,13 @@ struct Hertz {
     const T a = sqrt(k.radius_eff * k.overlap);  // (8.12)
     const T kn = T(2) * p.young_eff * a;         // (9.7)
     const T fe = T(2.0 / 3.0) * kn * k.overlap;  // (9.6)
-    const T c0 = T(damping_factor) * p.damping * sqrt(k.mass_eff * kn);
-    const T cn = c0 * lag_factor(c0, k.mass_eff, k.dt, 10.0 / 11.0);
-    const auto begins = k.onset > T(0);
-    const T x = select(begins, k.onset, T(1)), since = x + T(0.5);
-    const T w = select(begins, T(0.8) * since * sqrt(sqrt(since / x)), T(1));
-    const T f = fe + w * cn * k.closing_speed;
+    const Dashpot<T> d = tsuji_dashpot(T(damping_factor) * p.damping, kn, k);
+    const T f = fe + d.weight * d.damping * k.closing_speed;
     NormalForce<T> out;
     out.force = o.clip ? larger(f, T(0)) : f;
     out.elastic = fe;
     out.stiffness = kn;
-    out.damping = cn;
+    out.damping = d.damping;
     out.contact_radius = a;
     out.stiffness_t = T(8) * p.shear_eff * a;  // (9.16)
     out.damping_t = T(damping_factor) * p.damping * sqrt(k.mass_eff * out.stiffness_t);

@@ -9,8 +9,9 @@
 // A contact is made at δ >= 0, where Fe jumps to −8/9 Fc, and not before: of 7.09 (W⁵ R*⁴/E*²)^⅓ that it costs to part
 // the bodies, nothing comes back. w₀ = f + ½ in the step that makes it, of which the part f was spent in contact, and
 // w₁ = g + ½ where it will let go after the part g of the next step, else 1: the impulses of the two jumps; the speed
-// after an impact then misses at order dt^1.5. s, w: hertz.h. When clipped the dashpot does not pull: F >= min(Fe, 0).
-// (9.13) without iteration on a double root: with α = a/R*, D = δ/R*, x = π W/(4 E* R*), Ferrari's resolvent
+// after an impact then misses at order dt^1.5. s, w: tsuji_dashpot of kinematics.h. When clipped the dashpot does not
+// pull: F >= min(Fe, 0). (9.13) without iteration on a double root: with α = a/R*, D = δ/R*, x = π W/(4 E* R*),
+// Ferrari's resolvent
 //   ν³ + D ν = x,   r = sqrt(D + ν²),   α = r + sqrt(ν(2r − ν))                                                  (3)
 // has one positive root, a simple one, for every D >= δf/R* = −3(x/2)^⅔: four steps of Halley.
 // Accuracy: a and Fe are those of a δ that is within 1.5e-15 max(δ, |δf|) of the given one. Where δ >= 0 a is right to
@@ -87,14 +88,10 @@ struct Jkr {
     const T a = select(bonded, c.a, T(0));
     const T kn = T(2) * p.young_eff * a, h = a * a / k.radius_eff;
     const T fe = kn * (k.overlap - h * T(1.0 / 3));  // (9.12)
-    const T c0 = T(damping_factor) * p.damping * sqrt(k.mass_eff * kn);
-    const T cn = c0 * lag_factor(c0, k.mass_eff, k.dt, 10.0 / 11.0);
-    const auto begins = k.onset > T(0);
-    const T part = select(begins, k.onset, T(1)), since = part + T(0.5);
-    const T w = select(begins, T(0.8) * since * sqrt(sqrt(since / part)), T(1));
-    const T f = fe + w * cn * k.closing_speed;
+    const Dashpot<T> d = tsuji_dashpot(T(damping_factor) * p.damping, kn, k);
+    const T f = fe + d.weight * d.damping * k.closing_speed;
     const T clipped = o.clip ? larger(f, select(fe < T(0), fe, T(0))) : f;
-    const T made = select(bonded && !held && begins, T(0.5) - k.onset, T(0));  // 1 − w₀
+    const T made = select(bonded && !held && k.onset > T(0), T(0.5) - k.onset, T(0));  // 1 − w₀
     const T left = k.overlap - c.release, parting = (clipped * k.dt / k.mass_eff - k.closing_speed) * k.dt;
     const auto ends = bonded && fe < T(0) && parting > left;
     const T lets_go = select(ends, left / select(ends, parting, T(1)) - T(0.5), T(0));  // w₁ − 1
@@ -102,7 +99,7 @@ struct Jkr {
     out.force = clipped + made * (T(8.0 / 9) * c.pull) + lets_go * fe;
     out.elastic = fe;
     out.stiffness = kn;
-    out.damping = cn;
+    out.damping = d.damping;
     out.contact_radius = a;
     out.stiffness_t = T(8) * p.shear_eff * a;  // (9.16)
     out.damping_t = T(damping_factor) * p.damping * sqrt(k.mass_eff * out.stiffness_t);

@@ -1,9 +1,10 @@
 // What the laws that resist rolling and twisting share. ω = ω_a − ω_b turns about n as twist, across n as rolling.
-//   ω_n = ω·n,  w = ω − ω_n n                                       [rad/s]  (1)
-//   cap of rolling   μ_r R* F                                       [N m]    (2)   F: the force that `friction`
-//   multiplies cap of twisting  μ_tw F a;  of laws without a contact radius μ_tw F R*   (3)   μ_tw = 3π/16 μ: Hertz's
-//   contact slides I = 2/5 m* R*²                                                  [kg m²]  (4) M = −w min(cap/|w|,
-//   I/(4 dt))                                   [N m]    (5)   dry friction with a viscous ramp
+//   ω_n = ω·n,  w = ω − ω_n n                                                 [rad/s]  (1)
+//   cap of rolling   μ_r R* F         F: the force that `friction` multiplies   [N m]  (2)
+//   cap of twisting  μ_tw F a,  of laws without a contact radius μ_tw F R*      [N m]  (3)
+//     μ_tw = 3π/16 μ: Hertz's contact slides
+//   I = 2/5 m* R*²                                                            [kg m²]  (4)
+//   M = −w min(cap/|w|, I/(4 dt))     dry friction with a viscous ramp          [N m]  (5)
 // (4) is the inertia of a solid sphere on a plane and less than that of two spheres turning against each other,
 // (Σ 5/(2 mᵢ Rᵢ²))⁻¹, a quarter of it when they are equal. So one contact takes at most a quarter of w in one step,
 // four planes or 16 equal neighbours at most all of it: (5) does not turn a rotation round, and bodies come to rest.
@@ -27,18 +28,14 @@ Spin<T> split(const Kinematics<T>& k) {  // (1)
   return {twist, k.relative_spin - k.normal * twist};
 }
 
-// Not μ F where μ is infinite and F is not there.
-template <class T>
-T capped(const T& coefficient, const T& arm, const NormalForce<T>& f) {
-  return select(f.holding > T(0), coefficient * arm * f.holding, T(0));
-}
 template <class T>
 T rolling_cap(const PairOf<T>& p, const Kinematics<T>& k, const NormalForce<T>& f) {
-  return capped(p.rolling_friction, k.radius_eff, f);  // (2)
+  return capped<T>(p.rolling_friction * k.radius_eff, f.holding);  // (2)
 }
 template <class T>
 T twisting_cap(const PairOf<T>& p, const Kinematics<T>& k, const NormalForce<T>& f) {
-  return capped(p.twisting_friction, select(f.contact_radius > T(0), f.contact_radius, k.radius_eff), f);  // (3)
+  const T arm = select(f.contact_radius > T(0), f.contact_radius, k.radius_eff);
+  return capped<T>(p.twisting_friction * arm, f.holding);  // (3)
 }
 
 template <class T>

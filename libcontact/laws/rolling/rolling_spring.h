@@ -49,7 +49,7 @@ struct RollingSpring {
     const T square = dot(trial, trial);
     const auto rolls = !(square < cap * cap);
     const auto longer = square > cap * cap;
-    s.rolling = trial * select(longer, cap / sqrt(select(longer, square, T(1))), T(1));  // (2)
+    s.rolling = shortened(trial, longer, square, cap);  // (2)
     const T inertia = resistance::solid_inertia(k);
     const T damping = select(rolls, T(0), T(2) * p.rolling_damping * sqrt(T(3.5) * inertia * kr));
 

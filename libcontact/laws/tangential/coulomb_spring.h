@@ -41,18 +41,14 @@ struct CoulombSpring {
   template <class T>
   static TangentialForce<T> update(const PairOf<T>& p, const Kinematics<T>& k, const NormalForce<T>& f,
                                    const LawOptions&, State<T>& s) {
-    using std::sqrt;
-    // Not μ F where μ is infinite and F is not there.
-    const T cap = select(f.holding > T(0), p.friction * f.holding, T(0));
+    const T cap = capped(p.friction, f.holding);
     s.force = s.force * f.shrink + k.slip * (f.stiffness_t * k.dt_contact);
     const Vec3<T> trial = s.force + k.slip * f.damping_t;
     const T square = dot(trial, trial);
     const auto slides = square > cap * cap;
-    const T shorten = select(slides, cap / sqrt(select(slides, square, T(1))), T(1));
     TangentialForce<T> out;
-    out.force = trial * shorten;
-    s.force = {select(slides, out.force.x, s.force.x), select(slides, out.force.y, s.force.y),
-               select(slides, out.force.z, s.force.z)};
+    out.force = shortened(trial, slides, square, cap);
+    s.force = select(slides, out.force, s.force);
     const auto holds = f.stiffness_t > T(0);
     out.energy = select(holds, T(0.5) * dot(s.force, s.force) / select(holds, f.stiffness_t, T(1)), T(0));
     return out;

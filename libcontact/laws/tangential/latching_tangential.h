@@ -44,8 +44,7 @@ struct LatchingTangential {
     using shapes::cube_root;
     using std::sqrt;
     const T zero(0), one(1), fn = f.holding, k0 = f.stiffness_t;
-    // Not μ F where μ is infinite and F is not there.
-    const T cap = select(fn > zero, p.friction * fn, zero);
+    const T cap = capped(p.friction, fn);
     const auto pressed = s.pressing > zero;
     s.turned = s.turned * select(pressed, fn / select(pressed, s.pressing, one), zero);
     s.force = s.force * f.shrink;
@@ -56,10 +55,10 @@ struct LatchingTangential {
     const Vec3<T> since = s.force - s.turned;
     const T apart = dot(since, since);
     const auto reverses = dot(slip, since) < zero || !(apart > T(0x1p-80) * dot(s.force, s.force));  // beyond rounding
-    s.turned = choose(reverses, s.force, s.turned);
+    s.turned = select(reverses, s.force, s.turned);
     const T gone = select(reverses, zero, sqrt(apart));
     const auto left = gone > zero, slips = distance > zero;
-    const Vec3<T> e = choose(left, since * (one / select(left, gone, one)),
+    const Vec3<T> e = select(left, since * (one / select(left, gone, one)),
                              slip * select(slips, one / select(slips, distance, one), zero));
 
     const T along = dot(s.turned, e);
@@ -77,27 +76,18 @@ struct LatchingTangential {
 
     const T size = dot(s.force, s.force);
     const auto over = size > cap * cap;
-    s.force = s.force * select(over, cap / sqrt(select(over, size, one)), one);
+    s.force = shortened(s.force, over, size, cap);
 
     TangentialForce<T> out;
     const auto all = slides || over;
     const Vec3<T> trial = s.force + k.slip * select(all, zero, f.damping_t);
     const T total = dot(trial, trial);
-    const auto capped = total > cap * cap;
-    out.force = trial * select(capped, cap / sqrt(select(capped, total, one)), one);
+    out.force = shortened(trial, total > cap * cap, total, cap);
     const auto holds = k0 > zero, bounded = cap > zero;
     const T force = sqrt(dot(s.force, s.force));
     const T c = cube_root(one / (one + force * select(bounded, one / select(bounded, cap, one), zero)));
-    const T c1 = one + c + c * c;
-    out.energy = T(0.3) * force * force * select(holds, one / select(holds, k0, one), zero) *
-                 (T(2) + c * (T(4) + c * (T(6) + T(3) * c))) / (c1 * c1);  // (3)
+    out.energy = partial_slip_energy(force, select(holds, one / select(holds, k0, one), zero), c);  // (3)
     return out;
-  }
-
- private:
-  template <class M, class T>
-  static Vec3<T> choose(const M& mask, const Vec3<T>& a, const Vec3<T>& b) {
-    return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
   }
 };
 

@@ -34,7 +34,6 @@ struct MemoryDiagram {
   static constexpr const char* parameters = "friction";
   static constexpr const char* remark = "micro-slip of a Hertz contact, exact for any path; a diagram of 12 layers";
   static constexpr const char* source = "Mindlin & Deresiewicz 1953, as a memory diagram (Jäger 1995)";
-  static constexpr bool needs_contact_radius = true;
   static constexpr int layers = 12, vectors = 1 + layers;
   template <class T>
   struct State {
@@ -68,15 +67,15 @@ struct MemoryDiagram {
     Vec3<T> n = need, held{};
     T gone = grown, top = zero, thick = zero;
     for (int i = layers - 1; i >= 0; --i) {
-      const T high = diagram::lesser(s.depth[i], z), low = i > 0 ? diagram::lesser(s.depth[i - 1], z) : zero;
+      const T high = lesser(s.depth[i], z), low = i > 0 ? lesser(s.depth[i - 1], z) : zero;
       const Vec3<T> below = n + s.share[i] * (high - low);
       const T gone_below = gone + (high - low);
       const auto stops = goes_on && !(dot(below, below) > gone_below * gone_below);
-      held = diagram::choose(stops, s.share[i], held);
+      held = select(stops, s.share[i], held);
       top = select(stops, high, top);
       thick = select(stops, high - low, thick);
       goes_on = goes_on && !stops;
-      n = diagram::choose(goes_on, below, n);
+      n = select(goes_on, below, n);
       gone = select(goes_on, gone_below, gone);
     }
     const T a = T(1) - dot(held, held), b = gone - dot(n, held), c = larger(dot(n, n) - gone * gone, zero);
@@ -85,25 +84,25 @@ struct MemoryDiagram {
     const T t =
         select(steep, c / select(steep, b + root, T(1)), select(flat, (root - b) / select(flat, a, T(1)), thick));
     const auto all = goes_on;
-    const T eaten = select(all, zero, diagram::lesser(t, thick));
+    const T eaten = select(all, zero, lesser(t, thick));
     const T q = select(sticks, before, select(all, zero, top - eaten));
     n += held * eaten;
     const T length = select(sticks, grown, sqrt(dot(n, n)));
     const auto moved = length > zero;
-    const Vec3<T> fresh = diagram::choose(moved, n * (T(1) / select(moved, length, T(1))), Vec3<T>{zero, zero, zero});
+    const Vec3<T> fresh = select(moved, n * (T(1) / select(moved, length, T(1))), Vec3<T>{zero, zero, zero});
 
     // What is left below q, and the new layer on top of it.
     T depth[layers + 1], used(0);
     Vec3<T> share[layers + 1];
     for (int i = 0; i < layers; ++i) {
       const auto stays = (i > 0 ? s.depth[i - 1] : zero) < q;
-      depth[i] = select(stays, diagram::lesser(s.depth[i], q), z);
-      share[i] = diagram::choose(stays, s.share[i], Vec3<T>{zero, zero, zero});
+      depth[i] = select(stays, lesser(s.depth[i], q), z);
+      share[i] = select(stays, s.share[i], Vec3<T>{zero, zero, zero});
       used = used + select(stays, T(1), zero);
     }
     depth[layers] = z;
     share[layers] = {zero, zero, zero};
-    for (int i = 0; i <= layers; ++i) share[i] = diagram::choose(used == T(i), fresh, share[i]);
+    for (int i = 0; i <= layers; ++i) share[i] = select(used == T(i), fresh, share[i]);
     const auto touches = z > zero;
     const T per_depth = select(touches, T(1) / select(touches, z, T(1)), zero);
     T y[layers + 1];  // sqrt(x)
@@ -116,9 +115,8 @@ struct MemoryDiagram {
     // Shrunk where the dashpot takes from the pressing force.
     Vec3<T> elastic = diagram::pull(share, y, layers) * (shrink * mu * f.elastic);  // (1)
     const T unloaded = select(z < before, z / select(z < before, before, T(1)), T(1));
-    elastic = diagram::choose(slipless, s.force * sqrt(unloaded) + slip * f.stiffness_t, elastic);
-    // Not μ F where μ is infinite and F is not there.
-    const T cap = select(f.holding > zero, p.friction * f.holding, zero);
+    elastic = select(slipless, s.force * sqrt(unloaded) + slip * f.stiffness_t, elastic);
+    const T cap = capped(p.friction, f.holding);
     const T square = dot(elastic, elastic);
     const auto eased = f.holding < f.elastic && square > cap * cap;
     const T ease = select(eased, cap / sqrt(select(eased, square, T(1))), T(1));
@@ -133,8 +131,7 @@ struct MemoryDiagram {
     const auto slides = all && rubs;
     const Vec3<T> trial = s.force + k.slip * select(slides, zero, f.damping_t);
     const T size = dot(trial, trial);
-    const auto capped = (slides && size > zero) || size > cap * cap;
-    out.force = trial * select(capped, cap / sqrt(select(capped, size, T(1))), T(1));
+    out.force = shortened(trial, (slides && size > zero) || size > cap * cap, size, cap);
     const auto springs = slipless && f.stiffness_t > zero;
     out.energy = select(springs, T(0.5) * dot(s.force, s.force) / select(springs, f.stiffness_t, T(1)),
                         T(1.5) * kappa * mu * mu * f.elastic * z * diagram::stored(s.share, y, layers));

@@ -14,14 +14,6 @@
 
 namespace contact::diagram {
 
-template <class T>
-T lesser(const T& a, const T& b) {
-  return select(a < b, a, b);
-}
-template <class M, class T>
-Vec3<T> choose(const M& mask, const Vec3<T>& a, const Vec3<T>& b) {
-  return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
-}
 template <class M>
 bool any(const M& mask) {
   if constexpr (std::is_same_v<M, bool>)
@@ -74,11 +66,11 @@ void fuse(const M& full, const Vec3<T>& slip, Vec3<T>* share, T* depth, T* y, T&
     const auto best = full && (loss < least || T(i) == T(0));
     least = select(best, loss, least);
     place = select(best, T(i), place);
-    mean = choose(best, share[i] * (h1 * inverse) + share[i + 1] * (h2 * inverse), mean);
+    mean = select(best, share[i] * (h1 * inverse) + share[i + 1] * (h2 * inverse), mean);
   }
   for (int i = 0; i < count; ++i) {
     const auto fused = place == T(i), moves = place < T(i), next = fused || moves;
-    share[i] = choose(fused, mean, choose(moves, share[i + 1], share[i]));
+    share[i] = select(fused, mean, select(moves, share[i + 1], share[i]));
     depth[i] = select(next, depth[i + 1], depth[i]);
     y[i] = select(next, y[i + 1], y[i]);
   }

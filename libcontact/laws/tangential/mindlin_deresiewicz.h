@@ -33,11 +33,9 @@ struct MindlinDeresiewicz {
   static constexpr const char* name = "mindlin_deresiewicz";
   static constexpr const char* parameters = "friction";
   static constexpr const char* remark =
-      "micro-slip of a Hertz contact in steps; literal: a closed path may create 0.4 % of what was stored, with "
-      "deficit "
-      "4.7 %; safe: memory_diagram";
+      "micro-slip of a Hertz contact in steps; literal: a closed path may create 0.4 % of what was stored, "
+      "with deficit 4.7 %; safe: memory_diagram";
   static constexpr const char* source = "Mindlin & Deresiewicz 1953; Box 9.1 of Seville & Wu 2016";
-  static constexpr bool needs_contact_radius = true;
   static constexpr int vectors = 2;
   template <class T>
   struct State {
@@ -64,7 +62,7 @@ struct MindlinDeresiewicz {
     const Vec3<T> slip = k.slip * k.dt_contact;
     const T distance = sqrt(dot(slip, slip));
     const auto begun = dot(s.axis, s.axis) > zero, moves = distance > zero;
-    const Vec3<T> t = choose(begun, s.axis, slip * select(moves, one / select(moves, distance, one), zero));
+    const Vec3<T> t = select(begun, s.axis, slip * select(moves, one / select(moves, distance, one), zero));
     const T ft = dot(s.force, t), d = dot(slip, t);
 
     // Which branch: a turn is a slip against it, beyond rounding of the step's slip and of that to gross slip.
@@ -91,38 +89,31 @@ struct MindlinDeresiewicz {
 
     const T square = dot(elastic, elastic);
     const auto over = square > limit * limit, all = over || (cube < T(0x1p-40) && !sticks);
-    elastic = elastic * select(over, limit / sqrt(select(over, square, one)), one);
+    elastic = shortened(elastic, over, square, limit);
     const T now = dot(elastic, t);
     const auto loads = all || !turned || (unloads && !(now > -s.high)) || (reloads && !(now < s.high));
     s.turned = select(loads, zero, select(unloads, one, T(2)));
     s.pressing = fn;
 
-    elastic = choose(slipless, s.force * f.shrink + slip * kt, elastic);
-    // Not μ F where μ is infinite and F is not there.
-    const T cap = select(f.holding > zero, p.friction * f.holding, zero);
+    elastic = select(slipless, s.force * f.shrink + slip * kt, elastic);
+    const T cap = capped(p.friction, f.holding);
     const T strength = dot(elastic, elastic);
     const auto eased = strength > cap * cap;
-    s.force = elastic * select(eased, cap / sqrt(select(eased, strength, one)), one);
+    s.force = shortened(elastic, eased, strength, cap);
     const T size = sqrt(dot(s.force, s.force));
     const auto pulls = size > zero;
     const Vec3<T> along = s.force * select(pulls, one / select(pulls, size, one), zero);
-    s.axis = choose(loads, along, t);
+    s.axis = select(loads, along, t);
 
     TangentialForce<T> out;
     const auto slides = all && !slipless;
     const Vec3<T> trial = s.force + k.slip * select(slides, zero, f.damping_t);
     const T total = dot(trial, trial);
-    const auto capped = (slides && total > zero) || total > cap * cap;
-    out.force = trial * select(capped, cap / sqrt(select(capped, total, one)), one);
-    const T c = cube_root(larger(one - T(0.5) * size * per_limit, T(0.5))), c1 = one + c + c * c;
-    out.energy = T(0.3) * size * size * compliance * (T(2) + c * (T(4) + c * (T(6) + T(3) * c))) / (c1 * c1);  // (1)
+    const auto beyond = (slides && total > zero) || total > cap * cap;
+    out.force = shortened(trial, beyond, total, cap);
+    const T c = cube_root(larger(one - T(0.5) * size * per_limit, T(0.5)));
+    out.energy = partial_slip_energy(size, compliance, c);  // (1)
     return out;
-  }
-
- private:
-  template <class M, class T>
-  static Vec3<T> choose(const M& mask, const Vec3<T>& a, const Vec3<T>& b) {
-    return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
   }
 };
 

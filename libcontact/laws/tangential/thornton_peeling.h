@@ -27,11 +27,9 @@ struct ThorntonPeeling {
   static constexpr const char* name = "thornton_peeling";
   static constexpr const char* parameters = "friction, work_of_adhesion (J/m^2)";
   static constexpr const char* remark =
-      "an adhesive contact peels, then slips as of mindlin_deresiewicz; a closed path may create 2.5 % of what was "
-      "stored; "
-      "safe: coulomb_spring";
+      "an adhesive contact peels, then slips as of mindlin_deresiewicz; a closed path may create 2.5 % of what "
+      "was stored; safe: coulomb_spring";
   static constexpr const char* source = "Thornton 1991; Savkoor & Briggs 1977";
-  static constexpr bool needs_contact_radius = true;
   static constexpr int vectors = MindlinDeresiewicz::vectors;
   template <class T>
   struct State : MindlinDeresiewicz::State<T> {
@@ -74,17 +72,17 @@ struct ThorntonPeeling {
     const Vec3<T> held = s.force * shrink + slip * a;
     const T size = sqrt(dot(held, held));
     const auto pulls = size > zero, ends = peels && !(size < limit);
-    const T cap = select(h > zero, p.friction * h, zero);
+    const T cap = capped(p.friction, h);
     const T most = select(ends && cap < size, cap, size);
     const T per_size = select(pulls, one / select(pulls, size, one), zero);
     const Vec3<T> along = held * per_size, kept = along * most;
-    const T bound = larger(limit, select(holding > zero, p.friction * holding, zero));
+    const T bound = larger(limit, capped(p.friction, holding));
     const Vec3<T> trial = kept + k.slip * select(ends, zero, f.damping_t);
     const T total = dot(trial, trial);
     const auto beyond = total > bound * bound;
 
-    s.force = choose(peels, kept, slips.force);
-    s.axis = choose(peels, along, slips.axis);
+    s.force = select(peels, kept, slips.force);
+    s.axis = select(peels, along, slips.axis);
     s.turned = select(peels, zero, slips.turned);
     s.high = select(peels, zero, slips.high);
     s.low = select(peels, zero, slips.low);
@@ -93,16 +91,10 @@ struct ThorntonPeeling {
     s.peeled = select(touches && (ends || !peels), one, zero);
     s.radius = select(touches, a, zero);
     TangentialForce<T> out;
-    out.force = choose(peels, trial * select(beyond, bound / sqrt(select(beyond, total, one)), one), slipping.force);
+    out.force = select(peels, shortened(trial, beyond, total, bound), slipping.force);
     const auto stiff = kt > zero;
     out.energy = select(peels, T(0.5) * most * most / select(stiff, kt, one), slipping.energy);
     return out;
-  }
-
- private:
-  template <class M, class T>
-  static Vec3<T> choose(const M& mask, const Vec3<T>& a, const Vec3<T>& b) {
-    return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
   }
 };
 
