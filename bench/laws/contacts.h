@@ -7,12 +7,15 @@
 #include "libcontact/laws/list.h"
 #include "libcontact/laws/mix.h"
 #include "libdem/law_driver/impact.h"
+#include "tests/libcontact/law_material.h"
 
 namespace laws {
 
 using contact::LawNames;
 using contact::LawOptions;
 using contact::Material;
+using contact::stone;
+using contact::wet;
 using dem::law_driver::Approach;
 using dem::law_driver::Ball;
 using dem::law_driver::Drive;
@@ -33,9 +36,7 @@ bool has_tangential_law(const std::string& name);
 LawContact contact_of(const LawNames& names, const Material& a, const Material& b, const LawOptions& options = {});
 
 // A material with a value for every parameter, 1 mm bodies in mind: E 1e8 Pa, ν 0.3, e 0.6, μ 0.4 …
-Material stone();
 // Liquid for it.
-LawOptions wet();
 Ball ball(double radius, double density);
 
 // Undamped Hertz contact, the closed forms of the sheet (1.3).

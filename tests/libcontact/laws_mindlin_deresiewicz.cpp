@@ -157,36 +157,9 @@ TEST(MindlinDeresiewicz, EnergyIsWhatAFirstLoadingGivesBack) {
   }
 }
 
-// Closed loops of (overlap, slip, slip): the least work put in, over the most that was stored.
 double least_work(bool deficit, bool constant_overlap, bool plane) {
-  std::mt19937_64 engine(11);
-  const auto in = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(engine); };
-  double least = infinity;
-  for (int loop = 0; loop < 400; ++loop) {
-    Path<MindlinDeresiewicz> path;
-    path.options.deficit = deficit;
-    const double unit = kappa_of(path.pair) * 0.3e-5, reach = std::pow(10, in(-2, 0.3));
-    const int corners = 3 + loop % 4, n = 300;
-    Vec3d corner[8] = {};
-    for (int i = 0; i < corners; ++i)
-      corner[i] = {constant_overlap ? 1e-5 : 1e-5 * in(0.2, 1), unit * reach * in(-1, 1),
-                   plane ? unit * reach * in(-1, 1) : 0};
-    path.step(corner[0].x, {});
-    double work = 0, most = 0;
-    Vec3d before{};
-    for (int i = 0; i < corners; ++i) {
-      const Vec3d a = corner[i], b = corner[(i + 1) % corners];
-      for (int j = 1; j <= n; ++j) {
-        const Vec3d d = {(b.y - a.y) / n, (b.z - a.z) / n, 0};
-        const auto out = path.step(a.x + (b.x - a.x) * j / n, d);
-        work += 0.5 * dot(before + out.force, d);
-        before = out.force;
-        most = std::max(most, out.energy);
-      }
-    }
-    least = std::min(least, work / most);
-  }
-  return least;
+  return least_work_of_loops<MindlinDeresiewicz>(
+      {.steps = 300, .constant_overlap = constant_overlap, .plane = plane, .options = {.deficit = deficit}});
 }
 
 // At constant overlap and along a line the rule is Mindlin & Deresiewicz's. Where overlap and slip change together it

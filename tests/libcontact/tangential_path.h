@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <random>
 
 #include "libcontact/laws/normal/hertz.h"
@@ -61,6 +64,45 @@ struct Path {
   }
   T along(const T& to, const T& slip) { return step(to, {slip, T(0), T(0)}).force.x; }
 };
+
+// 400 closed loops of (overlap, slip, slip) through random corners: the least work put in, over the most stored.
+struct Loops {
+  int steps;  // between two corners
+  bool constant_overlap = false, plane = true;
+  LawOptions options{};
+};
+template <class Law>
+double least_work_of_loops(const Loops& loops) {
+  std::mt19937_64 engine(11);
+  const auto in = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(engine); };
+  double least = std::numeric_limits<double>::infinity();
+  for (int loop = 0; loop < 400; ++loop) {
+    Path<Law> path;
+    path.options = loops.options;
+    const double kappa = path.pair.young_eff / (4 * path.pair.shear_eff);
+    const double unit = kappa * path.pair.friction * 1e-5, reach = std::pow(10, in(-2, 0.3));
+    const int corners = 3 + loop % 4, n = loops.steps;
+    Vec3d corner[8] = {};  // overlap, slip, slip
+    for (int i = 0; i < corners; ++i)
+      corner[i] = {loops.constant_overlap ? 1e-5 : 1e-5 * in(0.2, 1), unit * reach * in(-1, 1),
+                   loops.plane ? unit * reach * in(-1, 1) : 0};
+    path.step(corner[0].x, {});
+    double work = 0, most = 0;
+    Vec3d before{};
+    for (int i = 0; i < corners; ++i) {
+      const Vec3d a = corner[i], b = corner[(i + 1) % corners];
+      for (int j = 1; j <= n; ++j) {
+        const Vec3d d = {(b.y - a.y) / n, (b.z - a.z) / n, 0};
+        const auto out = path.step(a.x + (b.x - a.x) * j / n, d);
+        work += 0.5 * dot(before + out.force, d);
+        before = out.force;
+        most = std::max(most, out.energy);
+      }
+    }
+    least = std::min(least, work / most);
+  }
+  return least;
+}
 
 // Random steps of overlap and slip, some at rest, some sliding far, some apart: every lane of a pack is its scalar. The
 // state of the last lane.
