@@ -21,6 +21,11 @@ std::size_t map_words(const World& world) {
   return round ? 0 : 1;
 }
 
+std::size_t record_words(const World& world) {
+  const std::size_t of_map = map_words(world);
+  return world.law.fused() && !world.scene.law.ledger && of_map == 0 ? 0 : world.law.words + of_map + 1;
+}
+
 EquivalentOverlap equivalent_overlap(double volume, double section, double radius_eff, bool planar) {
   const double r = radius_eff;
   if (planar) {

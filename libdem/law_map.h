@@ -7,11 +7,11 @@
 //                 record begins to touch, and the same until it ends
 //
 //   volume        the law acts on δ_eq and its force F on b along the line of action of the vector area S of the
-//   overlap
-//                 V (libcontact/overlap_volume.h), with R* of (1):
-//                   space   δ_eq = sqrt(V/(π R*)),            J = dδ_eq/dδ = |S|/(2π R* δ_eq) (4) plane   δ_eq = (3A/(4
-//                   sqrt(2R*)))^(2/3),  J = 2/3 δ_eq |S|/A                                     (5) force on b  J F
-//                   along S, which is the slope of a potential of V in place and angle where F is one of δ_eq (6)
+//                 overlap V (libcontact/overlap_volume.h), with R* of (1):
+//                   space   δ_eq = sqrt(V/(π R*)),                J = dδ_eq/dδ = |S|/(2π R* δ_eq)     (4)
+//                   plane   δ_eq = (3A/(4 sqrt(2R*)))^(2/3),      J = 2/3 δ_eq |S|/A                  (5)
+//                 force on b: J F along S, the slope of a potential of V in place and angle
+//                 where F is one of δ_eq                                                              (6)
 //
 // Of shallow spheres (discs) δ_eq is δ and J is 1. Hertz' law on (4) is the potential 8/15 E* sqrt(R*) (V/(π
 // R*))^(5/4): faces A that meet by δ press with A^(5/4) δ^(1/4), and their stiffness at first touch has no bound. The
@@ -47,6 +47,9 @@ void check_map(const World& world);
 
 // Words of a record's memory that are the map's; they stand between those of the laws and the energy.
 std::size_t map_words(const World& world);
+
+// All words of a record: of the laws, of the map, the stored energy. 0 where the fused kernels do without.
+std::size_t record_words(const World& world);
 
 // (4), (5) of an overlap that is there; `planar`: V is an area.
 struct EquivalentOverlap {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -70,6 +71,18 @@ void override_pair(contact::PairParameters& q, const MaterialPairSpec& p, bool c
   if (!std::isnan(p.rolling_friction)) q.rolling_friction = p.rolling_friction;
   if (!std::isnan(p.twisting_friction)) q.twisting_friction = p.twisting_friction;
   if (!std::isnan(p.cohesion)) q.cohesion = p.cohesion;
+}
+
+std::vector<std::pair<std::string, std::string>> split_parameters(std::string_view list) {
+  std::vector<std::pair<std::string, std::string>> parameters;
+  while (!list.empty()) {
+    const std::size_t end = std::min(list.find(", "), list.size());
+    const std::string_view word = list.substr(0, end);
+    const std::size_t space = std::min(word.find(' '), word.size());
+    parameters.emplace_back(word.substr(0, space), word.substr(space));
+    list.remove_prefix(std::min(end + 2, list.size()));
+  }
+  return parameters;
 }
 
 std::string law_title(const LawSpec& law) {

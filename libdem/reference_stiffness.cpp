@@ -15,6 +15,11 @@ double reference_stiffness(double young_eff, double radius_eff, double mass_eff,
   return ratio * ratio * std::pow(std::sqrt(mass_eff) * radius_eff * young_eff * young_eff * speed, 0.4);
 }
 
+void set_reference_stiffness(PairParameters& pair, double radius_eff, double mass_eff, double speed) {
+  pair.stiffness_n = reference_stiffness(pair.young_eff, radius_eff, mass_eff, speed);
+  pair.stiffness_t = pair.stiffness_n * 4 * pair.shear_eff / pair.young_eff;
+}
+
 void set_reference_stiffness(World& world) {
   const std::size_t n = world.materials.size();
   struct Largest {
@@ -46,8 +51,7 @@ void set_reference_stiffness(World& world) {
       const double radius =
           a.radius > 0 && b.radius > 0 ? a.radius * b.radius / (a.radius + b.radius) : a.radius + b.radius;
       const double mass = a.mass > 0 && b.mass > 0 ? a.mass * b.mass / (a.mass + b.mass) : a.mass + b.mass;
-      q.stiffness_n = reference_stiffness(q.young_eff, radius, mass, world.scene.law.reference_speed);
-      q.stiffness_t = q.stiffness_n * 4 * q.shear_eff / q.young_eff;
+      set_reference_stiffness(q, radius, mass, world.scene.law.reference_speed);
     }
 }
 

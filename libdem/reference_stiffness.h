@@ -10,6 +10,9 @@ namespace dem {
 // (9.22). SI units; all > 0.
 double reference_stiffness(double young_eff, double radius_eff, double mass_eff, double speed);
 
+// (9.22) and (9.23) of a pair of materials whose moduli have been mixed.
+void set_reference_stiffness(PairParameters& pair, double radius_eff, double mass_eff, double speed);
+
 // Sets the stiffness of every pair of materials that no [[material_pair]] gives: with m* and R* of the largest body of
 // each material, those that are still to come included; of a material that only walls are made of, with a wall.
 void set_reference_stiffness(World& world);

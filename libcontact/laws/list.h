@@ -45,33 +45,40 @@ constexpr void each_law(F&& f) {
   (std::make_index_sequence<std::tuple_size_v<List>>{});
 }
 
+// Whether a normal law's stiffness follows from moduli; else it is given.
+constexpr bool hertzian(std::string_view normal) {
+  bool found = false;
+  each_law<NormalLaws>([&](auto law, std::size_t) {
+    if (normal == law.name) found = std::string_view(law.parameters).starts_with("young");
+  });
+  return found;
+}
+
 struct NamedLaw {
   std::string_view name, normal, tangential, rolling, cohesion;
-  bool damped;    // reads `restitution`
-  bool hertzian;  // stiffness from moduli
+  bool damped;  // reads `restitution`
   std::string_view remark;
 };
 
 inline constexpr NamedLaw named_laws[] = {
-    {"linear_spring", "linear", "coulomb_spring", "none", "none", false, false, "(9.20)-(9.23), no dashpots"},
-    {"spring_dashpot", "linear", "coulomb_spring", "none", "none", true, false, "(9.24)-(9.28)"},
-    {"hertz_mindlin", "hertz", "coulomb_spring", "none", "none", true, true, "(9.6), (9.7), (9.16), no micro-slip"},
-    {"hertz_mindlin_deresiewicz", "hertz", "mindlin_deresiewicz", "none", "none", true, true,
+    {"linear_spring", "linear", "coulomb_spring", "none", "none", false, "(9.20)-(9.23), no dashpots"},
+    {"spring_dashpot", "linear", "coulomb_spring", "none", "none", true, "(9.24)-(9.28)"},
+    {"hertz_mindlin", "hertz", "coulomb_spring", "none", "none", true, "(9.6), (9.7), (9.16), no micro-slip"},
+    {"hertz_mindlin_deresiewicz", "hertz", "mindlin_deresiewicz", "none", "none", true,
      "Box 9.1, micro-slip step by step"},
-    {"mindlin_deresiewicz_exact", "hertz", "memory_diagram", "none", "none", true, true,
+    {"mindlin_deresiewicz_exact", "hertz", "memory_diagram", "none", "none", true,
      "micro-slip, exact for any path of loading"},
-    {"jkr_thornton", "jkr", "thornton_peeling", "none", "none", true, true,
+    {"jkr_thornton", "jkr", "thornton_peeling", "none", "none", true,
      "Box 9.2, sticky elastic spheres, peeling before sliding"},
-    {"partially_latching_spring", "latching_spring", "latching_tangential", "none", "none", true, false,
+    {"partially_latching_spring", "latching_spring", "latching_tangential", "none", "none", true,
      "(9.29)-(9.34), restitution by plastic flattening"},
-    {"thornton_ning", "thornton_ning", "coulomb_spring", "none", "none", false, true, "elastic-plastic spheres"},
-    {"thornton_ning_adhesive", "thornton_ning_adhesive", "coulomb_spring", "none", "none", false, true,
+    {"thornton_ning", "thornton_ning", "coulomb_spring", "none", "none", false, "elastic-plastic spheres"},
+    {"thornton_ning_adhesive", "thornton_ning_adhesive", "coulomb_spring", "none", "none", false,
      "elastic-plastic, sticky spheres"},
-    {"viscoelastic_hertz", "viscoelastic_hertz", "coulomb_spring", "none", "none", false, true,
-     "spheres of a viscous solid"},
-    {"adhesive_plastic_spring", "adhesive_plastic_spring", "coulomb_spring", "none", "none", true, false,
+    {"viscoelastic_hertz", "viscoelastic_hertz", "coulomb_spring", "none", "none", false, "spheres of a viscous solid"},
+    {"adhesive_plastic_spring", "adhesive_plastic_spring", "coulomb_spring", "none", "none", true,
      "Luding's, plastic and sticky"},
-    {"dmt", "hertz", "coulomb_spring", "none", "dmt", true, true, "small, stiff, sticky spheres"},
+    {"dmt", "hertz", "coulomb_spring", "none", "dmt", true, "small, stiff, sticky spheres"},
 };
 
 // Laws that need more of their partner than every one gives: the normal laws that they work with.

@@ -67,12 +67,12 @@ std::optional<LawModel> law_model(const LawNames& names) {
   m.memory_rolling = m.memory_tangential + t->words;
   m.memory_cohesion = m.memory_rolling + r->words;
   m.words = m.memory_cohesion + c->words;
+  m.hertzian = hertzian(names.normal);
   m.rolls = names.rolling != NoRolling::name;
   at<NormalLaws>(m.normal, [&](auto law) {
     m.loss = law.loss;
     m.lingers = law_adheres<decltype(law)>;
     m.damping_factor = law.damping_factor;
-    m.hertzian = std::string_view(law.parameters).starts_with("young");
   });
   at<CohesionLaws>(m.cohesion, [&](auto law) { m.lingers = m.lingers || state_words<decltype(law)> > 0; });
   return m;

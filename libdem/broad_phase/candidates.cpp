@@ -216,8 +216,7 @@ void fill_bins(World& world) {
 // Room for what the laws remember; the fused kernels need none.
 void prepare_memory(World& world) {
   Contacts& c = world.contacts;
-  const std::size_t of_map = map_words(world);
-  c.words = world.law.fused() && !world.scene.law.ledger && of_map == 0 ? 0 : world.law.words + of_map + 1;
+  c.words = record_words(world);
   c.memory.assign(c.history.size() * c.words, 0);
   if (world.scene.law.ledger) c.ledger.assign(c.history.size(), {});
 }

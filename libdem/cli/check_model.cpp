@@ -101,11 +101,9 @@ void print_law(const World& world) {
   line("rolling", names.rolling == "none" ? "off: no law named" : names.rolling);
   line("cohesion",
        names.cohesion == "none" ? world.law.lingers ? "of the normal law" : "off: no law named" : names.cohesion);
-  const std::size_t of_map = map_words(world);
-  line("memory",
-       world.law.fused() && !law.ledger && of_map == 0
-           ? std::string("64 bytes per contact, in one fused kernel")
-           : fmt::format("{} bytes per contact, one kernel per law", 64 + 8 * (world.law.words + of_map + 1)));
+  const std::size_t words = record_words(world);
+  line("memory", words == 0 ? std::string("64 bytes per contact, in one fused kernel")
+                            : fmt::format("{} bytes per contact, one kernel per law", 64 + 8 * words));
   line("friction", share(rough, "Coulomb", "off: every pair of materials has friction 0"));
   line("damping",
        share(damped, law.clip ? "dashpot, contacts end at zero force" : "dashpot, contacts end at zero overlap",

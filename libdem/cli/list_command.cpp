@@ -10,6 +10,7 @@
 #include "libcontact/laws/model.h"
 #include "libdem/cli/commands.h"
 #include "libdem/cli/list_maps.h"
+#include "libdem/laws_of_scene.h"
 #include "libdem/scene/data_files.h"
 #include "libdem/scene/material_library.h"
 #include "libdem/scene/schema.h"
@@ -85,13 +86,10 @@ Json pairs_json() {
 // "young (Pa), poisson" -> "young > 0 Pa, 0 <= poisson <= 0.5".
 std::string with_ranges(std::string_view parameters) {
   std::vector<std::string> list;
-  while (!parameters.empty()) {
-    const std::size_t end = std::min(parameters.find(", "), parameters.size());
-    const std::string name(parameters.substr(0, std::min(parameters.find(' '), end)));
+  for (const auto& [name, unit] : split_parameters(parameters)) {
     const Key* key = find_key("material." + name);
     if (key == nullptr) throw std::logic_error("material has no key " + name);
     list.push_back(key->range.text(name) + (key->unit.empty() ? "" : " " + key->unit));
-    parameters.remove_prefix(std::min(end + 2, parameters.size()));
   }
   return fmt::format("{}", fmt::join(list, ", "));
 }

@@ -28,11 +28,8 @@ Setup setup_of(const LawTest& test) {
     stiffness_given = !std::isnan(p.stiffness);
   }
   set_bodies(s.contact, s.a, s.b);
-  contact::PairParameters& q = s.contact.pair;
-  if (law.reference_speed > 0 && !stiffness_given) {
-    q.stiffness_n = reference_stiffness(q.young_eff, s.contact.radius_eff, s.contact.mass_eff, law.reference_speed);
-    q.stiffness_t = q.stiffness_n * 4 * q.shear_eff / q.young_eff;
-  }
+  if (law.reference_speed > 0 && !stiffness_given)
+    set_reference_stiffness(s.contact.pair, s.contact.radius_eff, s.contact.mass_eff, law.reference_speed);
   return s;
 }
 

@@ -42,18 +42,6 @@ constexpr Parameter parameters[] = {
     {"contact_angle", &MaterialSpec::contact_angle, Must::no, false},
 };
 
-// "young (Pa), poisson" -> young: " (Pa)", poisson: "".
-using Units = std::map<std::string, std::string>;
-void add_parameters(std::string_view list, Units& units) {
-  while (!list.empty()) {
-    const std::size_t end = std::min(list.find(", "), list.size());
-    const std::string_view word = list.substr(0, end);
-    const std::size_t space = std::min(word.find(' '), word.size());
-    units.emplace(word.substr(0, space), word.substr(space));
-    list.remove_prefix(std::min(end + 2, list.size()));
-  }
-}
-
 class LawRules : RuleContext {
  public:
   explicit LawRules(const RuleContext& context) : RuleContext(context), names_(law_names(context.scene.law)) {}
@@ -82,7 +70,8 @@ class LawRules : RuleContext {
   void read() {
     const auto add = [&](auto list, const std::string& name) {
       contact::each_law<decltype(list)>([&](auto law, std::size_t) {
-        if (name == law.name) add_parameters(law.parameters, read_);
+        if (name == law.name)
+          for (auto& [parameter, unit] : split_parameters(law.parameters)) read_.emplace(parameter, unit);
       });
     };
     add(contact::NormalLaws{}, names_.normal);
@@ -166,7 +155,7 @@ class LawRules : RuleContext {
   }
 
   contact::LawNames names_;
-  Units read_;  // what the laws of the scene read
+  std::map<std::string, std::string> read_;  // what the laws of the scene read, with units
   bool damped_ = false;
   std::string title_;
 };

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "libcontact/laws/list.h"
+#include "libdem/laws_of_scene.h"
 #include "libdem/scene/reader.h"
 
 namespace dem {
@@ -126,8 +127,8 @@ class PlanarRules {
   }
 
   void law() {
-    if (scene_.disc_model == DiscModel::prism &&
-        contact::named_laws[static_cast<std::size_t>(scene_.law.name)].hertzian && scene_.law.map == LawMap::automatic)
+    if (scene_.disc_model == DiscModel::prism && contact::hertzian(law_names(scene_.law).normal) &&
+        scene_.law.map == LawMap::automatic)
       wrong("law", 0, "name",
             "is a law of spheres and the bodies are prisms; allowed: spring_dashpot, or law.map = "
             "\"equivalent_radius\" or another that gives it a radius, or world.disc_model = \"sphere\"");

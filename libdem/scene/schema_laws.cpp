@@ -20,7 +20,7 @@ std::vector<std::string> names_of() {
 std::vector<std::string> combinations(bool hertzian_only) {
   std::vector<std::string> names;
   for (const contact::NamedLaw& l : contact::named_laws)
-    if (!hertzian_only || l.hertzian) names.emplace_back(l.name);
+    if (!hertzian_only || contact::hertzian(l.normal)) names.emplace_back(l.name);
   return names;
 }
 

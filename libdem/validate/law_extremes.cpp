@@ -5,6 +5,7 @@
 
 #include "libcontact/laws/list.h"
 #include "libcontact/laws/mix.h"
+#include "libcontact/laws/model.h"
 #include "libdem/validate/law_scenes.h"
 
 namespace dem::validate {
@@ -22,9 +23,8 @@ bool restitution_by_dashpot(const contact::NamedLaw& l) {
 }
 
 bool hertzian(const std::string& law) {
-  for (const contact::NamedLaw& l : contact::named_laws)
-    if (l.name == law) return l.hertzian;
-  return false;
+  const auto names = contact::named_law(law);
+  return names && contact::hertzian(names->normal);
 }
 
 using Rows = std::vector<Row>;

@@ -56,8 +56,7 @@ inline std::vector<LawSpec> every_law() {
   };
   contact::each_law<contact::NormalLaws>([&](auto law, std::size_t) {
     if (is_in(&contact::LawNames::normal, law.name)) return;
-    const bool hertzian = std::string_view(law.parameters).starts_with("young");
-    all.push_back(combination(hertzian ? LawName::hertz_mindlin : LawName::spring_dashpot));
+    all.push_back(combination(contact::hertzian(law.name) ? LawName::hertz_mindlin : LawName::spring_dashpot));
     all.back().normal = law.name;
   });
   contact::each_law<contact::TangentialLaws>([&](auto law, std::size_t) {
