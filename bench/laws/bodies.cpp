@@ -171,7 +171,7 @@ void falling(Report& r) {
     double low = 0, high = 10;
     while (high - low > 1e-12) {
       const double v = 0.5 * (low + high);
-      (dem::drag(dem::drag_law_named(name).value(), air, d, {0, 0, v}).z < weight ? low : high) = v;
+      (dem::drag(dem::find_drag_law(name)->law, air, d, {0, 0, v}).z < weight ? low : high) = v;
     }
     r.near(fmt::format("{} (m/s), published digits", name), expected, low, 6e-7);
   }

@@ -8,10 +8,10 @@
 
 namespace dem {
 
-std::optional<DragLaw> drag_law_named(std::string_view name) {
+const DragLawInfo* find_drag_law(std::string_view name) {
   for (const DragLawInfo& info : drag_laws)
-    if (info.name == name) return info.law;
-  return std::nullopt;
+    if (info.name == name) return &info;
+  return nullptr;
 }
 
 double drag_per_speed(DragLaw law, const Flow& flow, double diameter, double speed) {

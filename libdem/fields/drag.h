@@ -11,7 +11,6 @@
 // Test: tests/libdem/drag.cpp
 #pragma once
 
-#include <optional>
 #include <string_view>
 
 #include "shapes/math/vec.h"
@@ -35,7 +34,7 @@ inline constexpr DragLawInfo drag_laws[] = {
     {"quadratic", DragLaw::quadratic, "density (kg/m3), drag_coefficient",
      "constant coefficient C, of pi/8 C rho d^2 u^2"},
 };
-std::optional<DragLaw> drag_law_named(std::string_view name);
+const DragLawInfo* find_drag_law(std::string_view name);  // null: unknown
 
 // A fluid and its flow: steady, a uniform velocity and a linear part.
 struct Flow {

@@ -6,9 +6,8 @@ namespace dem {
 
 void add_drag(World& world, int threads, double dt) {
   const DragSpec& spec = world.scene.drag;
-  const auto named = drag_law_named(spec.law);
-  if (!named) return;
-  const DragLaw law = *named;
+  const DragLawInfo* info = find_drag_law(spec.law);
+  if (info == nullptr) return;
   Flow flow{spec.density, spec.viscosity, spec.drag_coefficient, spec.velocity, {}};
   for (std::size_t i = 0; i < spec.gradient.size() && i < 3; ++i) flow.gradient.row[i] = spec.gradient[i];
   Particles& p = world.particles;
@@ -17,7 +16,7 @@ void add_drag(World& world, int threads, double dt) {
   for (std::size_t i = 0; i < p.count(); ++i) {
     const Motion& m = p.motion[i];
     const Vec3d u = flow.velocity_at(m.position) - m.velocity;
-    const double c = drag_per_speed(law, flow, 2 * m.equivalent_radius, norm(u)), half = 0.5 * dt * m.inverse_mass;
+    const double c = drag_per_speed(info->law, flow, 2 * m.equivalent_radius, norm(u)), half = 0.5 * dt * m.inverse_mass;
     forces[i] = (u - p.force[i] * half - world.scene.gravity * (0.5 * dt)) * (c / (1 + c * half));  // (1)
     p.force[i] += forces[i];
   }

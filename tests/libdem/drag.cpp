@@ -22,8 +22,8 @@ Flow air() {
 }
 
 TEST(Drag, LawsByName) {
-  for (const DragLawInfo& info : drag_laws) EXPECT_EQ(drag_law_named(info.name), info.law);
-  EXPECT_FALSE(drag_law_named("wen_yu").has_value());
+  for (const DragLawInfo& info : drag_laws) EXPECT_EQ(find_drag_law(info.name), &info);
+  EXPECT_EQ(find_drag_law("wen_yu"), nullptr);
 }
 
 TEST(Drag, AlongTheRelativeVelocityAndNothingAtRest) {
