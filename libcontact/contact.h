@@ -30,6 +30,16 @@ struct Patch {
   double weight = 0;      // ∫h over the patch, m³; 0 of a point
 };
 
+// How deep flat-faced bodies lie in each other, and its slope, which a potential acts along: overlap_depth.h. Of
+// regions of polygons that are not convex it comes with the answer.
+struct OverlapDepth {
+  double depth = 0;  // d, m; 0: not measured
+  double gain = 1;   // J
+  Vec3d normal{};    // n_f, unit, from a to b
+  Vec3d point{};     // p, relative to a's origin, m: of the line of action the one next to the overlap's centroid
+  double screw = 0;  // h, m
+};
+
 struct Contact {
   Status status = Status::refused;
   bool certified = false;
@@ -42,6 +52,7 @@ struct Contact {
   // on which a law acts in a scene that names an approximate method. Of an exact method: −gap, normal, patch centre.
   double method_overlap = 0;  // m
   Vec3d method_normal{}, method_point{};
+  OverlapDepth measure{};
   int iterations = 0;
 };
 

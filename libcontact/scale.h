@@ -68,6 +68,9 @@ inline void rescale(Contact& c, double up) {
   c.patch.weight = c.patch.weight * up * up * up;
   c.method_overlap *= up;
   c.method_point *= up;
+  c.measure.depth *= up;
+  c.measure.point *= up;
+  c.measure.screw *= up;
 }
 
 }  // namespace contact

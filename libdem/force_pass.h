@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libcontact/kernels/chunk.h"
+#include "libcontact/overlap_depth.h"
 #include "libcontact/overlap_volume.h"
 #include "libdem/law_map.h"
 #include "libdem/world.h"
@@ -38,8 +39,10 @@ struct Scratch {
   std::vector<Change> changed;
   std::vector<std::uint32_t> through;  // records whose normal has turned round
   LawChunk law;
-  contact::kernels::LawWork work;                        // where laws run in stages
-  double gain[chunk_size] = {}, screw[chunk_size] = {};  // of map `volume`: J; m, couple along n over the elastic force
+  contact::kernels::LawWork work;  // where laws run in stages
+  // Where a potential of the overlap acts, `gained`: J; m, couple along n over the elastic force.
+  bool gained = false;
+  double gain[chunk_size] = {}, screw[chunk_size] = {};
   SphereChunk spheres;
   contact::kernels::Lane clearance;
   std::uint32_t entry[chunk_size] = {};
@@ -63,6 +66,7 @@ class ForcePass {
     lingers_ = world.law.lingers;
     map_ = c_.words > world.law.words + 1 ? world.scene.law.map : LawMap::automatic;
     by_volume_ = map_ == LawMap::volume;
+    by_depth_ = measures_depth(world);
     by_area_ = measures_area(world);
     lattice_ = world.cell.periodic ? &world.cell.lattice : nullptr;
     for (const Wall& w : world.walls) {
@@ -139,7 +143,7 @@ class ForcePass {
     for (std::size_t i = 0; i < n; ++i) {
       const double* memory = &c_.memory[s.record[i] * c_.words];
       for (std::size_t j = 0; j < words; ++j) w.memory[j][i] = memory[j];
-      w.gain[i] = by_volume_ ? s.gain[i] : 1;
+      w.gain[i] = s.gained ? s.gain[i] : 1;
     }
     // Idle lanes of the last pack: at rest, without memory.
     for (std::size_t i = n; i % 8 != 0; ++i) {
@@ -187,8 +191,7 @@ class ForcePass {
     for (std::size_t i = 0; i < n; ++i) {
       const Vec3d f = get(l.force, i);
       Vec3d couple = patch || staged_ ? get(l.couple, i) : Vec3d{};
-      if (by_volume_ && s.work.normal.force[i] > 0)
-        couple -= get(l.normal, i) * (s.screw[i] * s.work.normal.elastic[i]);
+      if (s.gained && s.work.normal.force[i] > 0) couple -= get(l.normal, i) * (s.screw[i] * s.work.normal.elastic[i]);
       put(l.couple, i, cross(s.arm_a[i], f) + couple);
       put(l.couple_b, i, -cross(s.arm_b[i], f) - couple);
     }
@@ -237,8 +240,9 @@ class ForcePass {
     const double* spread;  // of the patch
     Vec3d offset;          // b's centre less a's, of two bodies
     const Mat3d &rotation_a, &rotation_b;
-    double radius_a, radius_b;  // of curvature, as the law takes them; a wall has none
-    Vec3d mass_at;              // where the effective mass is that of the contact, relative to a's centre
+    double radius_a, radius_b;   // of curvature, as the law takes them; a wall has none
+    Vec3d mass_at;               // where the effective mass is that of the contact, relative to a's centre
+    double gain = 1, screw = 0;  // of a potential of the overlap: J; h, m
   };
 
   // Kinematics of contact k into lane n of the law chunk.
@@ -264,6 +268,8 @@ class ForcePass {
       w += inverse_mass(ib, q.rotation_b, q.mass_at - q.offset, q.normal);
     }
     c_.centre[k] = arm_a;
+    s.gain[n] = q.gain;
+    s.screw[n] = q.screw;
     l.overlap[n] = q.overlap;
     put(l.normal, n, q.normal);
     put(l.velocity, n, velocity);
@@ -330,7 +336,7 @@ class ForcePass {
   double dt_;
   contact::Options wanted_{.overlap_only = true, .patch = true};
   bool staged_ = false, lingers_ = false;
-  bool by_volume_ = false, by_area_ = false;
+  bool by_volume_ = false, by_depth_ = false, by_area_ = false;
   LawMap map_ = LawMap::automatic;             // where records keep a word of it
   const contact::Lattice* lattice_ = nullptr;  // null: bodies have no images
   std::vector<WallFrame> walls_;

@@ -88,6 +88,7 @@ class PairPass : public ForcePass {
         s.arm_a[i] = get(l.normal, i) * (s.spheres.radius_a[i] - 0.5 * l.overlap[i]);
         s.arm_b[i] = get(l.normal, i) * (0.5 * l.overlap[i] - s.spheres.radius_b[i]);
       }
+    s.gained = by_volume_;
     if (by_volume_) apply_round_volumes(n, s);
     run_law(n, false, s);
     set_.sphere_torques(s.spheres, l, n);
@@ -139,6 +140,7 @@ class PairPass : public ForcePass {
       begin(k, s);
       s.record[n++] = static_cast<std::uint32_t>(k);
     }
+    s.gained = by_volume_;
     finish(n, false, s);
     t.candidates = count;
     t.touching = n;
@@ -255,11 +257,17 @@ class PairPass : public ForcePass {
       const bool wall = c_.key[k].b >= wall_base;
       const contact::Patch patch =
           apart ? across_gap(bin.query, over_a_patch(bin), k, s.a[i], s.b[i], s.offset[i], q) : q.patch;
-      const Vec3d normal = by_volume_ ? v.normal : q.normal, centre = by_volume_ ? v.point : patch.centre;
-      gather(k, n,
-             {-q.gap, normal, centre, patch.spread, s.offset[i], s.a[i].rotation, s.b[i].rotation,
-              law_radius(world_, c_.index_a[k]), wall ? 0 : law_radius(world_, c_.index_b[k]), centre},
-             s);
+      contact::OverlapDepth d;  // by default what the query says
+      if (by_volume_)
+        d = {-q.gap, 1, v.normal, v.point, 0};
+      else if (apart || !measured(bin, q, s.a[i], s.b[i], s.offset[i], d))
+        d = {-q.gap, 1, q.normal, patch.centre, 0};
+      const Vec3d& normal = d.normal;
+      gather(
+          k, n,
+          {d.depth, normal, d.point, patch.spread, s.offset[i], s.a[i].rotation, s.b[i].rotation,
+           law_radius(world_, c_.index_a[k]), wall ? 0 : law_radius(world_, c_.index_b[k]), d.point, d.gain, d.screw},
+          s);
       apply_map(k, n, s.a[i], s.b[i], normal, v, s);
       // Sharp edges turn a normal by more than a right angle, regions change places.
       if (!bin.regions && dot(c_.history[k].normal, normal) < -0.9) s.through.push_back(static_cast<std::uint32_t>(k));
@@ -267,8 +275,18 @@ class PairPass : public ForcePass {
       s.record[n++] = static_cast<std::uint32_t>(k);
     }
     t.touching = n;
+    s.gained = true;
     finish(n, over_a_patch(bin), s);
     return t;
+  }
+
+  // The overlap of flat faces as the potential of overlap_depth.h has it. False: of round bodies, of a method's own
+  // measure, of an overlap of the size of rounding: there the slope of the gap is that of the potential.
+  bool measured(const Bin& bin, const contact::Contact& q, const contact::Body& a, const contact::Body& b,
+                const Vec3d& offset, contact::OverlapDepth& out) const {
+    if (!by_depth_ || !bin.exact) return false;
+    if (bin.regions) out = q.measure;
+    return bin.regions ? out.depth > 0 : contact::overlap_depth(a, b, offset, q.normal, out);
   }
 
   static bool over_a_patch(const Bin& bin) {

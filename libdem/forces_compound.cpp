@@ -286,10 +286,12 @@ void CompoundPass::act(Working& w, Scratch& s, Tally& t) const {
     s.record[n] = m.record;
     ++t.touching;
     if (++n == chunk_size) {
+      s.gained = true;
       finish(n, true, s);
       n = 0;
     }
   }
+  s.gained = true;
   if (n > 0) finish(n, true, s);
 }
 

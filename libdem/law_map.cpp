@@ -21,9 +21,16 @@ std::size_t map_words(const World& world) {
   return round ? 0 : 1;
 }
 
+bool measures_depth(const World& world) {
+  return world.scene.law.map != LawMap::volume &&
+         std::any_of(world.shapes.begin(), world.shapes.end(),
+                     [](const ShapeEntry& e) { return e.kind == Kind::polyhedron || e.kind == Kind::polygon; });
+}
+
 std::size_t record_words(const World& world) {
   const std::size_t of_map = map_words(world);
-  return world.law.fused() && !world.scene.law.ledger && of_map == 0 ? 0 : world.law.words + of_map + 1;
+  const bool fused = world.law.fused() && !world.scene.law.ledger && of_map == 0 && !measures_depth(world);
+  return fused ? 0 : world.law.words + of_map + 1;
 }
 
 EquivalentOverlap equivalent_overlap(double volume, double section, double radius_eff, bool planar) {

@@ -48,6 +48,9 @@ void check_map(const World& world);
 // Words of a record's memory that are the map's; they stand between those of the laws and the energy.
 std::size_t map_words(const World& world);
 
+// Whether bodies with flat faces meet by the depth of their overlap, libcontact/overlap_depth.h.
+bool measures_depth(const World& world);
+
 // All words of a record: of the laws, of the map, the stored energy. 0 where the fused kernels do without.
 std::size_t record_words(const World& world);
 

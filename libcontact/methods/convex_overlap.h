@@ -1,15 +1,9 @@
-// The overlap of two convex polyhedra as a body: one of them cut by the face planes of the other, plane by plane.
-//
-// Every cut decides for each corner once on which side it lies, and faces share their corners: the pieces of both
-// surfaces fit together whatever the rounding, where faces are parallel or lie in one plane too. Corners in a plane
-// are kept: a face that both bodies have in one place is the first one's.
-//
-// Scratch of the thread that grows to the largest overlap and is not given back. Cost: corners of the overlap × planes
-// that meet it, 2 us a pair of cubes. Accuracy: corners to 64 eps of the pair's size. Tests:
-// tests/libcontact/overlap_volume.cpp, approximate_polyhedra.cpp
+// Sums over the overlap of two convex polyhedra: its volume and the pieces of both surfaces. Cones from one of its
+// corners over its faces add up to the volume. Cost: 2 us a pair of cubes. Tests: tests/libcontact/overlap_volume.cpp,
+// approximate_polyhedra.cpp
 #pragma once
 
-#include "libcontact/methods/polyhedron_pair.h"
+#include "libcontact/methods/overlap_body.h"
 
 namespace contact {
 

@@ -154,6 +154,8 @@ inline void exchange(Contact& c, const Vec3d& offset) {
   c.point_a = point_a;
   c.patch.centre += offset;
   c.method_point += offset;
+  c.measure.normal = -c.measure.normal;
+  c.measure.point += offset;
 }
 inline Contact exchanged(Contact c, const Vec3d& offset) {
   exchange(c, offset);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libcontact/methods/planar_slope.h"
 #include "libcontact/methods/polygon_regions_smooth.h"
 #include "libcontact/methods/region_parts.h"
 
@@ -16,6 +17,12 @@ using Part = Polygon::Part;
 
 // Sides of a piece: 2 · edge of a's outline, 2 · edge + 1 of b's; a cut has no number.
 std::uint32_t number_of(std::uint32_t edge, bool of_b) { return edge == no_edge ? no_edge : 2 * edge + (of_b ? 1 : 0); }
+
+// A chord shorter than this of the pair's size has no direction but that of rounding.
+void measure(const PlanarOverlap& overlap, double size, Contact& c) {
+  DepthSlope slope;
+  if (overlap.slope(least_section * size, slope)) c.measure = line_of_action(slope);
+}
 
 // A part of a against a part of b.
 struct Piece {
@@ -111,6 +118,7 @@ class PolygonPair {
     parts_a.assign(a_.count(), 0);
     parts_b.assign(b_.count(), 0);
     AreaMoments moments;
+    PlanarOverlap overlap;
     const auto for_each_piece = [&](auto&& use) {
       for (std::uint32_t i = group; i < pieces_.size(); ++i)
         if (groups_.of(i) == group) use(pieces_[i]);
@@ -137,13 +145,18 @@ class PolygonPair {
         region.push_back(c);
         if (c.side != no_edge && !(c.x == next.x)) consider(c.side);
       }
-      if (options.patch) moments.add(region);
+      if (!options.patch) return;
+      moments.add(region);
+      overlap.add(region, [](std::uint32_t side) {
+        return side == no_edge ? PlanarOverlap::of_cut : side % 2 == 0 ? PlanarOverlap::of_a : PlanarOverlap::of_b;
+      });
     });
     if (!(least.value < std::numeric_limits<double>::infinity())) return;  // between cuts: its neighbours answer
     const Vec3d on_edge = least.corner + least.value * outward;
     Contact c = region_answer(-least.value, size_, of_b ? -outward : outward, of_b ? least.corner : on_edge,
                               of_b ? on_edge : least.corner);
     if (options.patch) moments.patch(outward, c.patch);
+    measure(overlap, size_, c);
     list.add(c);
   }
 
@@ -202,21 +215,24 @@ std::size_t line_regions(const Placed<Polygon>& a, const Placed<shapes::Line>& b
     if (groups.of(g) != g) continue;
     Depth deepest;
     AreaMoments moments;
+    PlanarOverlap overlap;
     for (std::uint32_t i = g; i < view.count(); ++i) {
       if (groups.of(i) != g || !touched[i]) continue;
       Corners part, region;
       for (const Vec3d& v : view.part(i).vertices) {
         const Vec3d x = view.place.point(v);
         if (const double d = level - dot(m, x); d > deepest.value) deepest = {d, x};
-        part.push_back({x, no_edge});
+        part.push_back({x, PlanarOverlap::of_a});
       }
       if (!options.patch) continue;
-      cut(part, m, level, no_edge, region);
+      cut(part, m, level, PlanarOverlap::of_b, region);
       moments.add(region);
+      overlap.add(region, [](std::uint32_t side) { return side; });
     }
     if (!(deepest.value > 0)) continue;
     Contact c = region_answer(-deepest.value, size, -m, deepest.corner, deepest.corner + deepest.value * m);
     if (options.patch) moments.patch(m, c.patch);
+    measure(overlap, size, c);
     list.add(c);
   }
   return list.finish(unit.up);

@@ -1,0 +1,25 @@
+// (1)–(4) of overlap_depth.h for an overlap that has been made as a body.
+#pragma once
+
+#include "libcontact/methods/overlap_body.h"
+
+namespace contact {
+
+// A rim shorter than this of the pair's size, squared where it is an area, has no direction but that of rounding.
+inline constexpr double least_section = 0x1p-40;
+
+// Lengths and axes of the body's frame.
+struct DepthSlope {
+  double depth = 0;  // d
+  Vec3d force{};     // −∂d/∂u: what a unit of force of d puts on other
+  Vec3d moment{};    // −∂d/∂θ about `centroid`
+  Vec3d centroid{};
+};
+
+// As libcontact gives it.
+OverlapDepth line_of_action(const DepthSlope& slope);
+
+// False where the overlap has no volume or its vector area no direction, `least` the smallest area that has one.
+bool depth_slope(const OverlapBody& body, double least, DepthSlope& out);
+
+}  // namespace contact

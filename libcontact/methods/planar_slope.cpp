@@ -1,0 +1,71 @@
+#include "libcontact/methods/planar_slope.h"
+
+#include <cmath>
+
+namespace contact {
+
+bool PlanarOverlap::slope(double least, DepthSlope& out) const {
+  if (corners_.size() < 3) return false;
+  const Vec3d apex = corners_[0].x;
+  const auto out_of = [](const Vec3d& along) { return Vec3d{along.y, -along.x, 0}; };
+  Vec3d of[3]{};
+  each_side([&](const At& e) { of[e.side] += out_of(e.to - e.from); });
+  const Vec3d surface = 0.5 * (of[of_a] - of[of_b]);
+  const double section = norm(surface);
+  if (!(section > least)) return false;
+  const Vec3d n = surface * (1 / section), t{-n.y, n.x, 0};
+
+  // ∫1, ∫x, ∫xx about the apex, along t and n; triangles from each piece's first corner.
+  double area = 0, ft = 0, fn = 0, tt = 0, tn = 0, nn = 0;
+  each_side([&](const At& at) {
+    const Vec3d p = at.from - at.first, q = at.to - at.first, o = at.first - apex;
+    const double w = 0.5 * (p.x * q.y - p.y * q.x);
+    const double a = dot(t, o), b = dot(t, o + p), c = dot(t, o + q), d = dot(n, o), e = dot(n, o + p),
+                 f = dot(n, o + q);
+    area += w;
+    ft += w * (a + b + c) / 3;
+    fn += w * (d + e + f) / 3;
+    tt += w * ((a + b + c) * (a + b + c) + a * a + b * b + c * c) / 12;
+    nn += w * ((d + e + f) * (d + e + f) + d * d + e * e + f * f) / 12;
+    tn += w * ((a + b + c) * (d + e + f) + a * d + b * e + c * f) / 12;
+  });
+  if (!(area > 0)) return false;
+  const double ct = ft / area, cn = fn / area;
+  tt = tt / area - ct * ct;
+  nn = nn / area - cn * cn;
+  tn = tn / area - ct * cn;
+  if (!(tt > 0)) return false;
+  const double beta = tn / tt, variance = nn - beta * tn;  // (2)
+  if (!(variance > 0)) return false;
+  const Vec3d centre = t * ct + n * cn;
+  const auto residual = [&](const Vec3d& x) { return dot(n, x - centre) - beta * dot(t, x - centre); };
+
+  out.depth = std::sqrt(12 * variance);  // (1)
+  const double scale = out.depth / (2 * variance * area), turn = beta * out.depth / section;
+  out.force = out.moment = {};
+  const auto press = [&](double weight, const Vec3d& at, const Vec3d& normal) {
+    out.force -= weight * normal;
+    out.moment -= weight * cross(at, normal);
+  };
+  each_side([&](const At& e) {
+    const Vec3d x = e.from - apex, y = e.to - apex, ahead = out_of(y - x);
+    if (e.side == of_b) {  // (4)
+      const double r = residual(x), q = residual(y);
+      press(scale * ((3 * r * r + 2 * r * q + q * q) / 12 - 0.5 * variance), x - centre, ahead);
+      press(scale * ((3 * q * q + 2 * r * q + r * r) / 12 - 0.5 * variance), y - centre, ahead);
+    }
+    if (e.side == e.before || e.side == of_cut || e.before == of_cut) return;
+    // The outlines cross here.
+    const Vec3d behind = out_of(e.from - e.previous);
+    const double length = norm(ahead), before = norm(behind);
+    if (!(length > 0 && before > 0)) return;
+    const Vec3d u = ahead * (1 / length), v = behind * (1 / before);
+    const Vec3d &self = e.side == of_a ? u : v, &other = e.side == of_a ? v : u;
+    const double sine = norm(cross(self, other));
+    if (sine > 0) press(turn * dot(t, self) / sine, x - centre, other);
+  });
+  out.centroid = apex + centre;
+  return true;
+}
+
+}  // namespace contact

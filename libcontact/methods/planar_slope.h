@@ -1,0 +1,44 @@
+// (1)–(4) of overlap_depth.h in the plane: of a connected overlap of outlines, made of convex pieces.
+#pragma once
+
+#include "libcontact/methods/overlap_moments.h"
+#include "libcontact/methods/planar_outline.h"
+
+namespace contact {
+
+class PlanarOverlap {
+ public:
+  enum Side : std::uint32_t { of_a, of_b, of_cut };
+
+  // A convex piece, counter-clockwise; side_of takes a corner's `side` to a Side.
+  template <class SideOf>
+  void add(const Corners& piece, SideOf&& side_of) {
+    for (const LoopCorner& c : piece) corners_.push_back({c.x, side_of(c.side)});
+    ends_.push_back(static_cast<std::uint32_t>(corners_.size()));
+  }
+  // False where the overlap has no area or its chord no direction, `least` the shortest that has one.
+  bool slope(double least, DepthSlope& out) const;
+
+ private:
+  // Side from `from` to `to`, after the one from `previous`; pieces one after another.
+  struct At {
+    Vec3d previous, from, to, first;  // first corner of the piece
+    std::uint32_t before, side;
+  };
+  template <class Visit>
+  void each_side(Visit&& visit) const {
+    std::uint32_t first = 0;
+    for (const std::uint32_t end : ends_) {
+      for (std::uint32_t i = first; i < end; ++i) {
+        const LoopCorner &previous = corners_[i == first ? end - 1 : i - 1], &corner = corners_[i];
+        visit(At{previous.x, corner.x, corners_[i + 1 == end ? first : i + 1].x, corners_[first].x, previous.side,
+                 corner.side});
+      }
+      first = end;
+    }
+  }
+  ShortList<LoopCorner, 32> corners_;
+  ShortList<std::uint32_t, 8> ends_;
+};
+
+}  // namespace contact

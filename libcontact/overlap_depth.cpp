@@ -1,0 +1,122 @@
+#include "libcontact/overlap_depth.h"
+
+#include "libcontact/methods/method.h"
+#include "libcontact/methods/overlap_moments.h"
+#include "libcontact/methods/planar_slope.h"
+#include "libcontact/methods/polygon_measure.h"
+#include "libcontact/methods/polyhedron_measure.h"
+#include "libcontact/scale.h"
+
+namespace contact {
+
+namespace {
+
+using shapes::Kind;
+
+OverlapDepth scaled(OverlapDepth d, double up) {
+  d.depth *= up;
+  d.point *= up;
+  d.screw *= up;
+  return d;
+}
+OverlapDepth rotated(OverlapDepth d, const Mat3d& rotation) {
+  d.normal = rotation * d.normal;
+  d.point = rotation * d.point;
+  return d;
+}
+
+bool polyhedra(const Body& a, const Body& b, const Vec3d& offset, const Vec3d& towards, OverlapDepth& out) {
+  double up = 1;
+  const PlacedPolyhedra placed =
+      placed_polyhedra(contact::placed<shapes::Polyhedron>(a), contact::placed<shapes::Polyhedron>(b), offset, up);
+  if (!(placed.size > 0)) return false;
+  DepthSlope slope;
+  const Vec3d n = transposed_times(a.rotation, towards);
+  if (!depth_slope(overlap_body(placed.pair, n), least_section * least_section, slope)) return false;
+  out = scaled(rotated(line_of_action(slope), a.rotation), up);
+  return true;
+}
+
+bool polyhedron_plane(const Body& a, const Vec3d& wall, double height, OverlapDepth& out) {
+  const double size = circumradius(a);
+  if (!extent_in_range(size)) return false;
+  const Scale unit = scale_of(size);
+  const Vec3d n = transposed_times(a.rotation, wall);
+  const auto& shape = *static_cast<const shapes::Polyhedron*>(a.geometry);
+  DepthSlope slope;
+  if (!depth_slope(overlap_body(shape, a.size.x * unit.down, n, -height * unit.down), least_section * least_section,
+                   slope))
+    return false;
+  out = scaled(rotated(line_of_action(slope), a.rotation), unit.up);
+  return true;
+}
+
+// What a half plane or a convex polygon leaves of another one.
+Corners outline(const shapes::Polygon& p, const Placement& place) {
+  Corners corners;
+  for (const Vec3d& v : p.vertices) corners.push_back({place.point(v), PlanarOverlap::of_a});
+  return corners;
+}
+bool finish(const Corners& region, double up, OverlapDepth& out) {
+  if (region.size() < 3) return false;
+  PlanarOverlap overlap;
+  overlap.add(region, [](std::uint32_t side) { return side; });
+  DepthSlope slope;
+  if (!overlap.slope(least_section, slope)) return false;
+  out = scaled(line_of_action(slope), up);
+  return true;
+}
+
+bool polygons(const Body& a, const Body& b, const Vec3d& offset, OverlapDepth& out) {
+  double up = 1;
+  const PlacedPolygons pair =
+      placed_polygons(contact::placed<shapes::Polygon>(a), contact::placed<shapes::Polygon>(b), offset, up);
+  if (!(pair.size > 0) || !pair.a.convex || !pair.b.convex) return false;
+  Corners buffer[2] = {outline(pair.a, pair.place_a), {}}, *region = buffer, *other = buffer + 1;
+  for (std::size_t k = 0; k < pair.b.normals.size() && region->size() >= 3; ++k) {
+    const Vec3d n = pair.place_b.direction(pair.b.normals[k]);
+    cut(*region, n, pair.place_b.scale * pair.b.offsets[k] + dot(n, pair.place_b.at), PlanarOverlap::of_b, *other);
+    std::swap(region, other);
+  }
+  return finish(*region, up, out);
+}
+
+bool polygon_line(const Body& a, const Vec3d& wall, double height, OverlapDepth& out) {
+  const auto& p = *static_cast<const shapes::Polygon*>(a.geometry);
+  const double size = circumradius(a);
+  if (!extent_in_range(size) || !p.convex) return false;
+  const Scale unit = scale_of(size);
+  Corners below;
+  cut(outline(p, placement(contact::placed<shapes::Polygon>(a), unit.down, {})), wall, -height * unit.down,
+      PlanarOverlap::of_b, below);
+  return finish(below, unit.up, out);
+}
+
+// The answer of (b, a, −offset) as that of (a, b, offset).
+void exchange(OverlapDepth& d, const Vec3d& offset) {
+  d.normal = -d.normal;
+  d.point += offset;
+}
+
+}  // namespace
+
+bool has_overlap_depth(Kind a, Kind b) {
+  if (a == Kind::polyhedron) return b == Kind::polyhedron || b == Kind::plane;
+  return a == Kind::polygon && (b == Kind::polygon || b == Kind::line);
+}
+
+bool overlap_depth(const Body& a, const Body& b, const Vec3d& offset, const Vec3d& towards, OverlapDepth& out) {
+  if (!has_overlap_depth(a.kind, b.kind)) return false;
+  if (a.kind == b.kind && seen_from_b(offset)) {  // the same bits in both orders
+    if (!overlap_depth(b, a, -offset, -towards, out)) return false;
+    exchange(out, offset);
+    return true;
+  }
+  if (a.kind == b.kind)
+    return a.kind == Kind::polyhedron ? polyhedra(a, b, offset, towards, out) : polygons(a, b, offset, out);
+  const Vec3d wall = b.rotation.column(a.kind == Kind::polyhedron ? 2 : 1);
+  const double height = -dot(wall, offset);  // of a's origin over the wall
+  return a.kind == Kind::polyhedron ? polyhedron_plane(a, wall, height, out) : polygon_line(a, wall, height, out);
+}
+
+}  // namespace contact

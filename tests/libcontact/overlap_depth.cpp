@@ -1,0 +1,150 @@
+// The depth of flat-faced bodies in each other, and that its slope is its slope.
+#include "libcontact/overlap_depth.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+#include "libcontact/methods/polygon_regions.h"
+#include "shapes/math/quat.h"
+#include "shapes/polygon.h"
+#include "shapes/polyhedron_build.h"
+
+namespace contact {
+namespace {
+
+using shapes::Kind;
+using shapes::Quatd;
+
+constexpr double pi = std::numbers::pi;
+
+Vec3d direction(std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  const Vec3d v{normal(random), normal(random), normal(random)};
+  return v * (1 / norm(v));
+}
+Quatd turned(const Vec3d& axis, double angle) {
+  const double s = std::sin(angle / 2);
+  return {std::cos(angle / 2), axis.x * s, axis.y * s, axis.z * s};
+}
+
+struct Pair {
+  Body a, b;
+  Vec3d offset;
+  OverlapDepth measure() const {
+    const Contact c = query(a, b, offset);
+    OverlapDepth d;
+    EXPECT_TRUE(overlap_depth(a, b, offset, c.normal, d));
+    return d;
+  }
+  // b moved by u and turned by a small angle about the unit axis through the point x.
+  Pair moved(const Vec3d& u, const Vec3d& axis, double angle, const Vec3d& x) const {
+    Pair p = *this;
+    const Mat3d r = rotation_matrix(turned(axis, angle));
+    p.offset = x + r * (offset - x) + u;
+    p.b.rotation = r * b.rotation;
+    return p;
+  }
+};
+
+// −dd along the motion: by (3), and by differences.
+void expect_slope(const Pair& pair, std::mt19937_64& random, double step, double tolerance, bool planar) {
+  const OverlapDepth d = pair.measure();
+  ASSERT_GT(d.depth, 0);
+  EXPECT_GT(d.gain, 0.1);
+  for (int i = 0; i < 4; ++i) {
+    Vec3d u = direction(random), axis = direction(random);
+    if (planar) {
+      u.z = 0;
+      axis = {0, 0, 1};
+    }
+    const double angle = 1 / norm(d.point - pair.offset);
+    const double high = pair.moved(u * step, axis, angle * step, pair.offset).measure().depth,
+                 low = pair.moved(u * -step, axis, -angle * step, pair.offset).measure().depth;
+    const double found = (low - high) / (2 * step);
+    const Vec3d turn = axis * angle, at = u + cross(turn, d.point - pair.offset);
+    EXPECT_NEAR(found, d.gain * (dot(d.normal, at) + d.screw * dot(d.normal, turn)), tolerance);
+  }
+}
+
+Body cube(const shapes::Polyhedron& shape, const Quatd& q = {}) {
+  return {.kind = Kind::polyhedron, .geometry = &shape, .size = {1, 1, 1}, .rotation = rotation_matrix(q)};
+}
+
+const shapes::Polyhedron& box() {
+  static const shapes::Polyhedron p = shapes::make_box({1, 1, 1});
+  return p;
+}
+
+TEST(OverlapDepth, SlabIsAsDeepAsItIsThick) {
+  for (const double depth : {1e-9, 1e-3, 0.2}) {
+    const Pair onto{cube(box()), cube(box()), {0, 0, 1 - depth}},
+        beside{cube(box()), cube(box()), {0.3, -0.2, 1 - depth}};
+    const Pair wall{cube(box()), {.kind = Kind::plane}, {0, 0, depth - 0.5}};
+    for (const Pair* p : {&onto, &beside, &wall}) {
+      const OverlapDepth d = p->measure();
+      EXPECT_NEAR(d.depth, depth, 64 * epsilon);
+      EXPECT_NEAR(d.gain, 1, 1e-6);
+      EXPECT_NEAR(std::abs(d.normal.z), 1, 1e-12);
+    }
+    EXPECT_NEAR(onto.measure().point.x, 0, 1e-6);
+    EXPECT_NEAR(beside.measure().point.x, 0.15, 1e-6);
+    EXPECT_NEAR(beside.measure().point.y, -0.1, 1e-6);
+  }
+}
+
+// d² = δ² + θ² L²/4 as long as the whole face is in; the corner springs of (1).
+TEST(OverlapDepth, TiltedFaceIsTwoSprings) {
+  const double depth = 1e-3;
+  for (const double angle : {1e-5, 1e-3}) {
+    const Pair p{cube(box(), turned({0, 1, 0}, angle)), {.kind = Kind::plane}, {0, 0, depth - 0.5 * std::cos(angle)}};
+    const double slope = std::sin(angle);
+    EXPECT_NEAR(p.measure().depth, std::sqrt(depth * depth + slope * slope / 4), 1e-6 * depth);
+  }
+}
+
+TEST(OverlapDepth, WedgeAndCorner) {
+  const double depth = 1e-3, root = std::sqrt(0.5);
+  const Pair wedge{cube(box(), turned({0, 1, 0}, pi / 4)), {.kind = Kind::plane}, {0, 0, depth - root}};
+  EXPECT_NEAR(wedge.measure().depth, root * depth * std::sqrt(4.0 / 3), 2e-3 * depth);
+  const Vec3d axis{root, -root, 0};
+  const Pair corner{cube(box(), turned(axis, std::acos(1 / std::sqrt(3.0)))),
+                    {.kind = Kind::plane},
+                    {0, 0, depth - 0.5 * std::sqrt(3.0)}};
+  EXPECT_NEAR(corner.measure().depth, depth * std::sqrt(0.45), 2e-3 * depth);
+  EXPECT_NEAR(corner.measure().gain, std::sqrt(0.45), 2e-3);
+}
+
+TEST(OverlapDepth, SlopeOfPolyhedraAndWalls) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> part;
+  const shapes::Polyhedron brick = shapes::make_box({1.4, 0.8, 0.5});
+  int seen = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Quatd qa = turned(direction(random), 3 * part(random)), qb = turned(direction(random), 3 * part(random));
+    Pair p{cube(box(), qa), cube(brick, qb), direction(random)};
+    if (i % 3 == 0) {  // nearly flat on each other
+      p.a.rotation = Mat3d::identity();
+      p.b.rotation = rotation_matrix(turned(direction(random), 0.02));
+      p.offset = {0.3 * part(random), 0.3 * part(random), 0.7};
+    }
+    if (i % 3 == 1) p.b = {.kind = Kind::plane, .rotation = rotation_matrix(qb)};
+    // Bring them to an overlap of a few percent along their normal.
+    for (int k = 0; k < 20; ++k) {
+      const Contact c = query(p.a, p.b, p.offset);
+      p.offset += c.normal * (-(c.gap + 0.03));
+    }
+    if (!(query(p.a, p.b, p.offset).gap < -0.01)) continue;
+    ++seen;
+    expect_slope(p, random, 1e-6, 1e-6, false);
+    if (HasFailure()) {
+      ADD_FAILURE() << "case " << i;
+      return;
+    }
+  }
+  EXPECT_GT(seen, 40);
+}
+
+}  // namespace
+}  // namespace contact
