@@ -30,8 +30,9 @@ struct Patch {
   double weight = 0;      // ∫h over the patch, m³; 0 of a point
 };
 
-// How deep flat-faced bodies lie in each other, and its slope, which a potential acts along: overlap_depth.h. Of
-// regions of polygons that are not convex it comes with the answer.
+// How deep flat-faced bodies lie in each other, and its slope, which a potential acts along: overlap_depth.h. On
+// request it comes with the answer of facets of meshes and of the regions of polygons that are not convex; of other
+// pairs overlap_depth gives it.
 struct OverlapDepth {
   double depth = 0;  // d, m; 0: not measured
   double gain = 1;   // J
@@ -66,6 +67,7 @@ struct Contact {
 struct Options {
   bool overlap_only = false;
   bool patch = true;
+  bool measure = false;  // of facets and regions
   bool warm_start = false;
   double tolerance = 0;
 };

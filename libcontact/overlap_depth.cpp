@@ -2,6 +2,7 @@
 
 #include "libcontact/methods/method.h"
 #include "libcontact/methods/overlap_moments.h"
+#include "libcontact/methods/patch.h"
 #include "libcontact/methods/planar_slope.h"
 #include "libcontact/methods/polygon_measure.h"
 #include "libcontact/methods/polyhedron_measure.h"
@@ -19,12 +20,6 @@ OverlapDepth scaled(OverlapDepth d, double up) {
   d.screw *= up;
   return d;
 }
-OverlapDepth rotated(OverlapDepth d, const Mat3d& rotation) {
-  d.normal = rotation * d.normal;
-  d.point = rotation * d.point;
-  return d;
-}
-
 bool polyhedra(const Body& a, const Body& b, const Vec3d& offset, const Vec3d& towards, OverlapDepth& out) {
   double up = 1;
   const PlacedPolyhedra placed =
@@ -43,10 +38,9 @@ bool polyhedron_plane(const Body& a, const Vec3d& wall, double height, OverlapDe
   const Scale unit = scale_of(size);
   const Vec3d n = transposed_times(a.rotation, wall);
   const auto& shape = *static_cast<const shapes::Polyhedron*>(a.geometry);
+  const OverlapBody& body = overlap_body(shape, a.size.x * unit.down, n, -height * unit.down);
   DepthSlope slope;
-  if (!depth_slope(overlap_body(shape, a.size.x * unit.down, n, -height * unit.down), least_section * least_section,
-                   slope))
-    return false;
+  if (!depth_slope(body, least_section * least_section, slope)) return false;
   out = scaled(rotated(line_of_action(slope), a.rotation), unit.up);
   return true;
 }

@@ -66,7 +66,7 @@ class ForcePass {
     lingers_ = world.law.lingers;
     map_ = c_.words > world.law.words + 1 ? world.scene.law.map : LawMap::automatic;
     by_volume_ = map_ == LawMap::volume;
-    by_depth_ = measures_depth(world);
+    by_depth_ = wanted_.measure = measures_depth(world);
     by_area_ = measures_area(world);
     lattice_ = world.cell.periodic ? &world.cell.lattice : nullptr;
     for (const Wall& w : world.walls) {

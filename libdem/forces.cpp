@@ -285,8 +285,8 @@ class PairPass : public ForcePass {
   bool measured(const Bin& bin, const contact::Contact& q, const contact::Body& a, const contact::Body& b,
                 const Vec3d& offset, contact::OverlapDepth& out) const {
     if (!by_depth_ || !bin.exact) return false;
-    if (bin.regions) out = q.measure;
-    return bin.regions ? out.depth > 0 : contact::overlap_depth(a, b, offset, q.normal, out);
+    out = q.measure;
+    return out.depth > 0 || (!bin.regions && contact::overlap_depth(a, b, offset, q.normal, out));
   }
 
   static bool over_a_patch(const Bin& bin) {

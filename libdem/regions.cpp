@@ -7,7 +7,7 @@ using contact::max_regions;
 void answer_regions(const contact::Body& a, const contact::Body& b, const contact::Vec3d& offset,
                     const std::uint8_t* touching, const contact::Vec3d* centre, contact::Contact* answer) {
   contact::Contact found[max_regions];
-  const std::size_t count = contact::polygon_regions(a, b, offset, {.overlap_only = true, .patch = true}, found);
+  const std::size_t count = contact::polygon_regions(a, b, offset, {.overlap_only = true, .measure = true}, found);
   bool taken[max_regions] = {}, placed[max_regions] = {};
   for (std::size_t slot = 0; slot < max_regions; ++slot) {
     answer[slot] = {};

@@ -57,6 +57,7 @@ const OverlapBody& overlap_body(const PolyhedronPair& pair);
 // The same where self reaches `depth` > 0 into other along n, from self to other: parts that are out of the other's
 // reach along n are left out first.
 const OverlapBody& overlap_body(const PolyhedronPair& pair, const Vec3d& n);
+
 // What lies of p, scaled, in n·x <= level.
 const OverlapBody& overlap_body(const shapes::Polyhedron& p, double scale, const Vec3d& n, double level);
 

@@ -106,7 +106,12 @@ struct PlaneFrame {
 // Centre and spread (1)–(2) in the frame of `plane`, lengths in its unit. False when the moments vanish.
 bool make_patch(const DepthMoments& moments, const PlaneFrame& plane, Patch& patch);
 
-// The same patch after x -> rotation·x.
+// The same after x -> rotation·x.
 Patch rotated(const Patch& patch, const Mat3d& rotation);
+inline OverlapDepth rotated(OverlapDepth d, const Mat3d& rotation) {
+  d.normal = rotation * d.normal;
+  d.point = rotation * d.point;
+  return d;
+}
 
 }  // namespace contact

@@ -156,7 +156,7 @@ class PolygonPair {
     Contact c = region_answer(-least.value, size_, of_b ? -outward : outward, of_b ? least.corner : on_edge,
                               of_b ? on_edge : least.corner);
     if (options.patch) moments.patch(outward, c.patch);
-    measure(overlap, size_, c);
+    if (options.measure) measure(overlap, size_, c);
     list.add(c);
   }
 
@@ -232,7 +232,7 @@ std::size_t line_regions(const Placed<Polygon>& a, const Placed<shapes::Line>& b
     if (!(deepest.value > 0)) continue;
     Contact c = region_answer(-deepest.value, size, -m, deepest.corner, deepest.corner + deepest.value * m);
     if (options.patch) moments.patch(m, c.patch);
-    measure(overlap, size, c);
+    if (options.measure) measure(overlap, size, c);
     list.add(c);
   }
   return list.finish(unit.up);

@@ -5,8 +5,9 @@
 #include "libcontact/methods/facet.h"
 #include "libcontact/methods/features.h"
 #include "libcontact/methods/method.h"
-#include "libcontact/methods/patch.h"
+#include "libcontact/methods/overlap_moments.h"
 #include "libcontact/methods/placed_solid.h"
+#include "libcontact/methods/plane_slope.h"
 #include "libcontact/methods/polyhedron_pair.h"
 #include "libcontact/methods/segments.h"
 
@@ -42,7 +43,7 @@ struct Box {
 
 // Moments of what lies under the facet's region, triangle by triangle: they add, so the triangulation does not show.
 void add_over_region(const FacetView& view, const PlaneFrame& plane, const DepthPoint* polygon, std::size_t count,
-                     DepthMoments& moments) {
+                     DepthMoments& moments, PlaneOverlap& overlap) {
   double low_u = polygon[0].u, high_u = low_u, low_v = polygon[0].v, high_v = low_v;
   for (std::size_t i = 1; i < count; ++i) {
     low_u = std::min(low_u, polygon[i].u), high_u = std::max(high_u, polygon[i].u);
@@ -69,8 +70,21 @@ void add_over_region(const FacetView& view, const PlaneFrame& plane, const Depth
       left = clip(current, left, cu, cv, 0, -(cu * u[i] + cv * v[i]), buffer[i & 1]);
       current = buffer[i & 1];
     }
-    if (left >= 3) moments.add(current, left);
+    if (left < 3) continue;
+    moments.add(current, left);
+    overlap.add(current, left);
   }
+}
+
+// What lies under the whole plane of the facet, in the mesh's frame.
+bool measure_under(const PlacedSolid& solid, const FacetView& view, OverlapDepth& out) {
+  const Vec3d n = transposed_times(solid.rotation, view.m);
+  const OverlapBody& body = overlap_body(solid.shape, solid.scale, n, view.plane - dot(view.m, solid.centre));
+  DepthSlope slope;
+  if (!depth_slope(body, least_section * least_section, slope)) return false;
+  out = rotated(line_of_action(slope), solid.rotation);
+  out.point += solid.centre;
+  return true;
 }
 
 struct EdgeSeparation {
@@ -260,6 +274,7 @@ Contact Features::query(const Placed<shapes::Polyhedron>& a, const Placed<shapes
                      dot(plane.u, solid.centre - plane.origin),      dot(plane.v, solid.centre - plane.origin),
                      view.plane - dot(view.m, solid.centre)};
   DepthMoments moments;
+  PlaneOverlap overlap;
   Box under;
   for_each_submerged(*a.shape, map, [&](const DepthPoint* polygon, std::size_t count) {
     moments.add(polygon, count);
@@ -267,14 +282,15 @@ Contact Features::query(const Placed<shapes::Polyhedron>& a, const Placed<shapes
   });
   double gap = face_gap;
   Vec3d on_facet = plane.origin;
-  if (under.crossed_by_border(view, plane)) {
+  const bool whole = !under.crossed_by_border(view, plane);
+  if (!whole) {
     const BorderSearch border(view, solid);
     if (!border.crossed && !view.over_region(view.facet, section_point(solid, view, tip))) return apart();
     using Answer = BorderSearch::Answer;
     const double margin = proof_margin(size);
     moments = {};
     for_each_submerged(*a.shape, map, [&](const DepthPoint* polygon, std::size_t count) {
-      add_over_region(view, plane, polygon, count, moments);
+      add_over_region(view, plane, polygon, count, moments, overlap);
     });
     if (!over) {
       gap = -std::max(moments.deepest.h, 0.0);
@@ -295,7 +311,16 @@ Contact Features::query(const Placed<shapes::Polyhedron>& a, const Placed<shapes
     patch.centre -= solid.centre;
     c.patch = rotated(patch, b.rotation);
     c.patch.centre *= unit.up;
-    for (double& moment : c.patch.spread) moment = moment * unit.up * unit.up;
+  }
+  if (options.measure) {
+    OverlapDepth depth;
+    if (whole ? measure_under(solid, view, depth) : overlap.slope(plane, depth)) {
+      depth.point -= solid.centre;
+      c.measure = rotated(depth, b.rotation);
+      c.measure.depth *= unit.up;
+      c.measure.point *= unit.up;
+      c.measure.screw *= unit.up;
+    }
   }
   return c;
 }
