@@ -27,7 +27,7 @@ bool polyhedra(const Body& a, const Body& b, const Vec3d& offset, const Vec3d& t
   if (!(placed.size > 0)) return false;
   DepthSlope slope;
   const Vec3d n = transposed_times(a.rotation, towards);
-  if (!depth_slope(overlap_body(placed.pair, n), least_section * least_section, slope)) return false;
+  if (!depth_slope(overlap_body(placed.pair, n), placed.size, slope)) return false;
   out = scaled(rotated(line_of_action(slope), a.rotation), up);
   return true;
 }
@@ -40,7 +40,7 @@ bool polyhedron_plane(const Body& a, const Vec3d& wall, double height, OverlapDe
   const auto& shape = *static_cast<const shapes::Polyhedron*>(a.geometry);
   const OverlapBody& body = overlap_body(shape, a.size.x * unit.down, n, -height * unit.down);
   DepthSlope slope;
-  if (!depth_slope(body, least_section * least_section, slope)) return false;
+  if (!depth_slope(body, size * unit.down, slope)) return false;
   out = scaled(rotated(line_of_action(slope), a.rotation), unit.up);
   return true;
 }
@@ -51,12 +51,12 @@ Corners outline(const shapes::Polygon& p, const Placement& place) {
   for (const Vec3d& v : p.vertices) corners.push_back({place.point(v), PlanarOverlap::of_a});
   return corners;
 }
-bool finish(const Corners& region, double up, OverlapDepth& out) {
+bool finish(const Corners& region, double size, double up, OverlapDepth& out) {
   if (region.size() < 3) return false;
   PlanarOverlap overlap;
   overlap.add(region, [](std::uint32_t side) { return side; });
   DepthSlope slope;
-  if (!overlap.slope(least_section, slope)) return false;
+  if (!overlap.slope(size, slope)) return false;
   out = scaled(line_of_action(slope), up);
   return true;
 }
@@ -72,7 +72,7 @@ bool polygons(const Body& a, const Body& b, const Vec3d& offset, OverlapDepth& o
     cut(*region, n, pair.place_b.scale * pair.b.offsets[k] + dot(n, pair.place_b.at), PlanarOverlap::of_b, *other);
     std::swap(region, other);
   }
-  return finish(*region, up, out);
+  return finish(*region, pair.size, up, out);
 }
 
 bool polygon_line(const Body& a, const Vec3d& wall, double height, OverlapDepth& out) {
@@ -83,7 +83,7 @@ bool polygon_line(const Body& a, const Vec3d& wall, double height, OverlapDepth&
   Corners below;
   cut(outline(p, placement(contact::placed<shapes::Polygon>(a), unit.down, {})), wall, -height * unit.down,
       PlanarOverlap::of_b, below);
-  return finish(below, unit.up, out);
+  return finish(below, size * unit.down, unit.up, out);
 }
 
 // The answer of (b, a, −offset) as that of (a, b, offset).

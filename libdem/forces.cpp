@@ -1,7 +1,5 @@
 #include "libdem/forces.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include "libcontact/methods/polygon_regions.h"
 #include "libdem/build.h"
 #include "libdem/coherence.h"
+#include "libdem/contact_checks.h"
 #include "libdem/force_pass.h"
 #include "libdem/forces_compound.h"
 #include "libdem/regions.h"
@@ -269,8 +268,7 @@ class PairPass : public ForcePass {
            law_radius(world_, c_.index_a[k]), wall ? 0 : law_radius(world_, c_.index_b[k]), d.point, d.gain, d.screw},
           s);
       apply_map(k, n, s.a[i], s.b[i], normal, v, s);
-      // Sharp edges turn a normal by more than a right angle, regions change places.
-      if (!bin.regions && dot(c_.history[k].normal, normal) < -0.9) s.through.push_back(static_cast<std::uint32_t>(k));
+      if (passes(bin, k, q)) s.through.push_back(static_cast<std::uint32_t>(k));
       begin(k, s);
       s.record[n++] = static_cast<std::uint32_t>(k);
     }
@@ -278,6 +276,19 @@ class PairPass : public ForcePass {
     s.gained = true;
     finish(n, over_a_patch(bin), s);
     return t;
+  }
+
+  // Beyond each other's middle. Sharp edges turn a normal by more than a right angle, regions change places; the slope
+  // of the overlap's depth turns round slowly.
+  bool passes(const Bin& bin, std::size_t k, const contact::Contact& q) const {
+    if (bin.regions) return false;
+    if (dot(c_.history[k].normal, q.normal) < -0.9) return true;
+    if (!by_depth_ || bin.a != shapes::Kind::polyhedron || bin.b != shapes::Kind::polyhedron) return false;
+    const auto inscribed = [&](std::uint32_t i) {
+      const ShapeEntry& e = world_.shapes[p_.shape[i]];
+      return e.inscribed_radius * (p_.motion[i].bounding_radius / e.circumradius);
+    };
+    return -q.gap > 0.5 * (inscribed(c_.index_a[k]) + inscribed(c_.index_b[k]));
   }
 
   // The overlap of flat faces as the potential of overlap_depth.h has it. False: of round bodies, of a method's own
@@ -294,63 +305,6 @@ class PairPass : public ForcePass {
            bin.a == shapes::Kind::polygon;
   }
 };
-
-std::string parties(const World& world, std::uint32_t k) {
-  const Contacts& c = world.contacts;
-  const std::uint32_t b = c.index_b[k];
-  return "body " + std::to_string(world.particles.id[c.index_a[k]]) + " and " +
-         (c.key[k].b >= wall_base ? "wall \"" + world.walls[b].name + "\""
-                                  : "body " + std::to_string(world.particles.id[b]));
-}
-
-// Bodies pressed beyond each other's middle are pushed out on the other side: their normal turns round in a step.
-void check_passages(const World& world, const std::vector<std::uint32_t>& through) {
-  if (through.empty()) return;
-  const Contacts& c = world.contacts;
-  const std::uint32_t k = *std::min_element(through.begin(), through.end(),
-                                            [&](std::uint32_t x, std::uint32_t y) { return c.key[x] < c.key[y]; });
-  throw RunError(fmt::format(
-      "step {}: {} pass through each other, their overlap is {:.3g} m: they are too soft for their speed or their load",
-      world.step, parties(world, k), c.history[k].overlap));
-}
-
-// The contact, of those judged, whose stability limit by itself lies farthest below the step.
-class TightestContact {
- public:
-  explicit TightestContact(const World& world) : world_(world), limit_(world.time_step.dt) {}
-
-  void judge(std::uint32_t k, double overlap) {
-    const std::vector<Key>& key = world_.contacts.key;
-    const double limit = contact_limit(world_, k, overlap);
-    if (!(limit < limit_ || (found_ && limit == limit_ && key[k] < key[record_]))) return;
-    limit_ = limit;
-    record_ = k;
-    found_ = true;
-  }
-  // Throws when there is one.
-  void stop() const {
-    if (found_)
-      throw RunError(
-          fmt::format("step {}: run.dt = {:.4g} s has passed the stability limit of the contact of {}, {:.4g} s",
-                      world_.step, world_.time_step.dt, parties(world_, record_), limit_));
-  }
-
- private:
-  const World& world_;
-  double limit_;
-  std::uint32_t record_ = 0;
-  bool found_ = false;
-};
-
-// An impact may be over before the monitor of the time step looks: each contact is judged as it comes, and by the
-// overlap that it had in its last step as it goes.
-void check_impacts(const World& world, const std::vector<Change>& changed) {
-  const Contacts& c = world.contacts;
-  TightestContact tightest(world);
-  for (const Change& change : changed)
-    tightest.judge(change.record, c.touching[change.record] != 0 ? c.history[change.record].overlap : change.overlap);
-  tightest.stop();
-}
 
 // Lists the touching records of both bodies of record k anew; the order stays that of the partners.
 void relist(Contacts& c, std::uint32_t k) {
@@ -375,18 +329,6 @@ void book_lost(World& world, const std::vector<Change>& changed) {
     for (std::size_t m = 0; m < contact::mechanism_count; ++m) world.balance.lost[m].add(g.lost[m]);
   gone.clear();
 }
-
-}  // namespace
-
-void check_contacts(const World& world) {
-  const Contacts& c = world.contacts;
-  TightestContact tightest(world);
-  for (std::uint32_t k = 0; k < c.count(); ++k)
-    if (c.touching[k] != 0) tightest.judge(k, c.history[k].overlap);
-  tightest.stop();
-}
-
-namespace {
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -1,6 +1,7 @@
 #include "libcontact/methods/overlap_moments.h"
 
 #include <cmath>
+#include <vector>
 
 namespace contact {
 
@@ -60,24 +61,31 @@ OverlapDepth line_of_action(const DepthSlope& s) {
   return out;
 }
 
-bool depth_slope(const OverlapBody& body, double least, DepthSlope& out) {
+bool depth_slope(const OverlapBody& body, double size, DepthSlope& out) {
   if (body.faces().empty()) return false;
   Vec3d of_self{}, of_other{};
   for (const Face& f : body.faces()) add_surface(body, f, f.of_other ? of_other : of_self);
   const Vec3d surface = 0.5 * (of_self - of_other);
   const double section = norm(surface);
-  if (!(section > least)) return false;
+  if (!(section > least_depth * least_depth * size * size)) return false;
   const Axes axes(surface * (1 / section));
 
+  // Corners along the axes from one of them, and what they are to r.
+  static thread_local std::vector<Vec3d> places;
+  static thread_local std::vector<double> residuals;
+  const std::size_t count = body.corners().size();
   const Vec3d apex = body.corner(body.faces()[0], 0);
+  places.resize(count);
+  residuals.resize(count);
+  for (std::size_t i = 0; i < count; ++i) places[i] = axes(body.corners()[i] - apex);
   Moments m;
   for (const Face& f : body.faces()) {
-    const Vec3d first = body.corner(f, 0) - apex;
-    const double height = dot(f.normal, first) / 6;
-    Vec3d p = body.corner(f, 1) - apex;
+    const Vec3d normal = axes(f.normal), &first = places[body.name(f, 0)];
+    const double height = dot(normal, first) / 6;
+    const Vec3d* p = &places[body.name(f, 1)];
     for (std::uint32_t k = 2; k < f.count; ++k) {
-      const Vec3d q = body.corner(f, k) - apex;
-      m.add(dot(f.normal, cross(p - first, q - first)) * height, axes(first), axes(p), axes(q));
+      const Vec3d* q = &places[body.name(f, k)];
+      m.add(dot(normal, cross(*p - first, *q - first)) * height, first, *p, *q);
       p = q;
     }
   }
@@ -91,56 +99,61 @@ bool depth_slope(const OverlapBody& body, double least, DepthSlope& out) {
   const double bx = (yy * xz - xy * yz) / determinant, by = (xx * yz - xy * xz) / determinant;  // β
   const double variance = zz - bx * xz - by * yz;                                               // (2)
   if (!(variance > 0)) return false;
-  const auto residual = [&](const Vec3d& x) {  // r, x from the apex
-    const Vec3d y = axes(x) - c;
-    return y.z - bx * y.x - by * y.y;
-  };
+  for (std::size_t i = 0; i < count; ++i) {
+    places[i] -= c;
+    residuals[i] = places[i].z - bx * places[i].x - by * places[i].y;
+  }
 
   out.depth = std::sqrt(12 * variance);  // (1)
-  const Vec3d centre = axes.t * c.x + axes.s * c.y + axes.n * c.z;
+  if (!(out.depth > least_depth * size)) return false;
   const double scale = out.depth / (2 * variance * m.volume), turn = out.depth / section;
-  const Vec3d beta = axes.t * bx + axes.s * by;
-  out.force = out.moment = {};
+  Vec3d force{}, moment{};  // along the axes
+  const auto press = [&](double weight, const Vec3d& at, const Vec3d& normal) {
+    force -= weight * normal;
+    moment -= weight * cross(at, normal);
+  };
   for (const Face& f : body.faces()) {  // (4)
-    if (f.of_other) {
-      const Vec3d first = body.corner(f, 0) - apex;
-      Vec3d p = body.corner(f, 1) - apex;
-      double r = residual(first), rp = residual(p);
-      for (std::uint32_t k = 2; k < f.count; ++k) {
-        const Vec3d q = body.corner(f, k) - apex;
-        const double rq = residual(q), area = 0.5 * dot(f.normal, cross(p - first, q - first));
-        const double squares = r * r + rp * rp + rq * rq, sum = r + rp + rq;
-        // ∫λ_k (r² − σ²) over the triangle, λ_k its corners' weights.
-        const auto part = [&](double own, double products) {
-          return area * ((squares + 2 * own * sum + products) / 30 - variance / 3);
-        };
-        const double w0 = part(r, rp * rq), w1 = part(rp, r * rq), w2 = part(rq, r * rp);
-        out.force -= (w0 + w1 + w2) * f.normal;
-        out.moment -= cross(w0 * (first - centre) + w1 * (p - centre) + w2 * (q - centre), f.normal);
-        p = q;
-        rp = rq;
-      }
+    if (!f.of_other) continue;
+    const Vec3d normal = axes(f.normal);
+    const std::uint32_t i = body.name(f, 0);
+    std::uint32_t j = body.name(f, 1);
+    Vec3d at{};
+    double sum = 0;
+    for (std::uint32_t k = 2; k < f.count; ++k) {
+      const std::uint32_t l = body.name(f, k);
+      const double x = residuals[i], y = residuals[j], z = residuals[l], squares = x * x + y * y + z * z,
+                   total = x + y + z;
+      const double area = 0.5 * dot(normal, cross(places[j] - places[i], places[l] - places[i]));
+      // ∫λ (r² − σ²) over the triangle, λ the weight of a corner.
+      const auto part = [&](double own, double others) {
+        return area * ((squares + 2 * own * total + others) / 30 - variance / 3);
+      };
+      const double wi = part(x, y * z), wj = part(y, x * z), wl = part(z, x * y);
+      sum += wi + wj + wl;
+      at += wi * places[i] + wj * places[j] + wl * places[l];
+      j = l;
     }
+    force -= (scale * sum) * normal;
+    moment -= scale * cross(at, normal);
   }
-  out.force *= scale;
-  out.moment *= scale;
   for (const Face& f : body.faces()) {  // the rim: sides that a face of self has in common with one of other
     if (f.of_other) continue;
-    const double slope = dot(beta, f.normal) * turn;
+    const Vec3d normal = axes(f.normal);
+    const double slope = turn * (bx * normal.x + by * normal.y);
     if (slope == 0) continue;
     for (std::uint32_t k = 0; k < f.count; ++k) {
       const std::uint32_t i = body.name(f, k), j = body.name(f, k + 1 == f.count ? 0 : k + 1);
-      const Face* g = body.across(i, j);
-      if (g == nullptr || !g->of_other) continue;
-      const double sine = norm(cross(f.normal, g->normal));
-      if (!(sine > 0)) continue;
-      const Vec3d &x = body.corner(i), &y = body.corner(j);
-      const double weight = slope / sine * norm(y - x);
-      out.force -= weight * g->normal;
-      out.moment -= weight * cross(0.5 * (x + y) - apex - centre, g->normal);
+      const Face* g = body.face_of_other(j, i);
+      if (g == nullptr) continue;
+      const Vec3d across = axes(g->normal);
+      const double sine = norm(cross(normal, across));
+      if (sine > 0) press(slope / sine * norm(places[j] - places[i]), 0.5 * (places[i] + places[j]), across);
     }
   }
-  out.centroid = apex + centre;
+  const auto back = [&](const Vec3d& x) { return axes.t * x.x + axes.s * x.y + axes.n * x.z; };
+  out.force = back(force);
+  out.moment = back(moment);
+  out.centroid = apex + back(c);
   return true;
 }
 

@@ -4,7 +4,7 @@
 
 namespace contact {
 
-bool PlanarOverlap::slope(double least, DepthSlope& out) const {
+bool PlanarOverlap::slope(double size, DepthSlope& out) const {
   if (corners_.size() < 3) return false;
   const Vec3d apex = corners_[0].x;
   const auto out_of = [](const Vec3d& along) { return Vec3d{along.y, -along.x, 0}; };
@@ -12,7 +12,7 @@ bool PlanarOverlap::slope(double least, DepthSlope& out) const {
   each_side([&](const At& e) { of[e.side] += out_of(e.to - e.from); });
   const Vec3d surface = 0.5 * (of[of_a] - of[of_b]);
   const double section = norm(surface);
-  if (!(section > least)) return false;
+  if (!(section > least_depth * size)) return false;
   const Vec3d n = surface * (1 / section), t{-n.y, n.x, 0};
 
   // ∫1, ∫x, ∫xx about the apex, along t and n; triangles from each piece's first corner.
@@ -41,6 +41,7 @@ bool PlanarOverlap::slope(double least, DepthSlope& out) const {
   const auto residual = [&](const Vec3d& x) { return dot(n, x - centre) - beta * dot(t, x - centre); };
 
   out.depth = std::sqrt(12 * variance);  // (1)
+  if (!(out.depth > least_depth * size)) return false;
   const double scale = out.depth / (2 * variance * area), turn = beta * out.depth / section;
   out.force = out.moment = {};
   const auto press = [&](double weight, const Vec3d& at, const Vec3d& normal) {

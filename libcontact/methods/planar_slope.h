@@ -16,8 +16,8 @@ class PlanarOverlap {
     for (const LoopCorner& c : piece) corners_.push_back({c.x, side_of(c.side)});
     ends_.push_back(static_cast<std::uint32_t>(corners_.size()));
   }
-  // False where the overlap has no area or its chord no direction, `least` the shortest that has one.
-  bool slope(double least, DepthSlope& out) const;
+  // False where it is shallower than least_depth of `size`, or its chord has no direction.
+  bool slope(double size, DepthSlope& out) const;
 
  private:
   // Side from `from` to `to`, after the one from `previous`; pieces one after another.

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "libcontact/methods/overlap_moments.h"
+
 namespace contact {
 
 template <class Visit>
@@ -17,7 +19,7 @@ void PlaneOverlap::each_triangle(Visit&& visit) const {
   }
 }
 
-bool PlaneOverlap::slope(const PlaneFrame& plane, OverlapDepth& out) const {
+bool PlaneOverlap::slope(const PlaneFrame& plane, double size, OverlapDepth& out) const {
   if (points_.size() < 3) return false;
   const double u0 = points_[0].u, v0 = points_[0].v;
   // ∫h, ∫x h, ∫x x h with x = (u, v, h) about (u0, v0, 0); ∫h² is twice ∫z, ∫h³ three times ∫z².
@@ -68,6 +70,7 @@ bool PlaneOverlap::slope(const PlaneFrame& plane, OverlapDepth& out) const {
   });
   if (!(sum > 0)) return false;
   out.depth = std::sqrt(12 * variance);  // (1)
+  if (!(out.depth > least_depth * size)) return false;
   out.gain = out.depth / (2 * variance * h) * sum;
   out.normal = -plane.normal;
   out.point = plane(u0 + along_u / sum, v0 + along_v / sum, -z);

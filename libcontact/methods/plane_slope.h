@@ -15,8 +15,9 @@ class PlaneOverlap {
     for (std::size_t i = 0; i < count; ++i) points_.push_back(polygon[i]);
     ends_.push_back(static_cast<std::uint32_t>(points_.size()));
   }
-  // From the body into the plane's solid, in the frame of `plane`. False where there is no volume.
-  bool slope(const PlaneFrame& plane, OverlapDepth& out) const;
+  // From the body into the plane's solid, in the frame of `plane`. False where it is shallower than least_depth of
+  // `size`.
+  bool slope(const PlaneFrame& plane, double size, OverlapDepth& out) const;
 
  private:
   template <class Visit>

@@ -18,10 +18,9 @@ using Part = Polygon::Part;
 // Sides of a piece: 2 · edge of a's outline, 2 · edge + 1 of b's; a cut has no number.
 std::uint32_t number_of(std::uint32_t edge, bool of_b) { return edge == no_edge ? no_edge : 2 * edge + (of_b ? 1 : 0); }
 
-// A chord shorter than this of the pair's size has no direction but that of rounding.
 void measure(const PlanarOverlap& overlap, double size, Contact& c) {
   DepthSlope slope;
-  if (overlap.slope(least_section * size, slope)) c.measure = line_of_action(slope);
+  if (overlap.slope(size, slope)) c.measure = line_of_action(slope);
 }
 
 // A part of a against a part of b.

@@ -76,14 +76,13 @@ void add_over_region(const FacetView& view, const PlaneFrame& plane, const Depth
   }
 }
 
-// What lies under the whole plane of the facet, in the mesh's frame.
+// What lies under the whole plane of the facet, about the solid's origin, along the mesh's axes.
 bool measure_under(const PlacedSolid& solid, const FacetView& view, OverlapDepth& out) {
   const Vec3d n = transposed_times(solid.rotation, view.m);
   const OverlapBody& body = overlap_body(solid.shape, solid.scale, n, view.plane - dot(view.m, solid.centre));
   DepthSlope slope;
-  if (!depth_slope(body, least_section * least_section, slope)) return false;
+  if (!depth_slope(body, view.size, slope)) return false;
   out = rotated(line_of_action(slope), solid.rotation);
-  out.point += solid.centre;
   return true;
 }
 
@@ -311,11 +310,12 @@ Contact Features::query(const Placed<shapes::Polyhedron>& a, const Placed<shapes
     patch.centre -= solid.centre;
     c.patch = rotated(patch, b.rotation);
     c.patch.centre *= unit.up;
+    for (double& moment : c.patch.spread) moment = moment * unit.up * unit.up;
   }
   if (options.measure) {
     OverlapDepth depth;
-    if (whole ? measure_under(solid, view, depth) : overlap.slope(plane, depth)) {
-      depth.point -= solid.centre;
+    if (whole ? measure_under(solid, view, depth) : overlap.slope(plane, size, depth)) {
+      if (!whole) depth.point -= solid.centre;
       c.measure = rotated(depth, b.rotation);
       c.measure.depth *= unit.up;
       c.measure.point *= unit.up;

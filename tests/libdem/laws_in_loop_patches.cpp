@@ -50,6 +50,10 @@ class LawPatches : public testing::TestWithParam<std::size_t> {
 
 TEST_P(LawPatches, AFloorIsTheSameHoweverItIsCut) {
   const double r = law_loop::radius;
+  // Where Box 9.1 and Thornton's sliding begin to stick anew, their forces go with the root of what has slipped since,
+  // and so does what rounding leaves.
+  const bool rooted = law().name == LawName::hertz_mindlin_deresiewicz || law().name == LawName::jkr_thornton;
+  const double bar = rooted ? 1e-6 : 1e-12;
   const std::pair<ShapeSpec, double> bodies[] = {{scenes::sphere("body", r), 1.0001 * r},
                                                  {scenes::ellipsoid("body", {r, 0.9 * r, 0.8 * r}), 0.82 * r},
                                                  {scenes::box("body", {2 * r, 1.8 * r, 1.6 * r}), 0.9 * r}};
@@ -59,8 +63,8 @@ TEST_P(LawPatches, AFloorIsTheSameHoweverItIsCut) {
     for (const Floor kind : {Floor::one_diagonal, Floor::other_diagonal}) {
       const World mesh = thrown(law(), shape, kind, height);
       const Motion &a = plane.particles.motion[0], &b = mesh.particles.motion[0];
-      EXPECT_LT(scenes::length(a.position - b.position), 1e-8 * r) << shape.kind;
-      EXPECT_LT(scenes::length(plane.particles.rotation[0] - mesh.particles.rotation[0]), 1e-8) << shape.kind;
+      EXPECT_LT(scenes::length(a.position - b.position), bar * r) << shape.kind;
+      EXPECT_LT(scenes::length(plane.particles.rotation[0] - mesh.particles.rotation[0]), bar) << shape.kind;
       EXPECT_EQ(plane.counters.contact_steps, mesh.counters.contact_steps) << shape.kind;
     }
   }

@@ -85,7 +85,14 @@ TEST(PolygonRegionsInTheLoop, AnLOnALineHasTheStiffnessOfOneContact) {
   EXPECT_LE(norm(w.particles.motion[0].velocity), 1e-8);
   // Its centre of mass is not over the middle of its sole: it leans until the patch is under it.
   EXPECT_NEAR(contacts[0].point.x, w.particles.motion[0].position.x, 1e-9);
-  EXPECT_NEAR(contacts[0].overlap, weight / 2e4, 1e-6 * weight / 2e4);
+  // Its sole is under by F/k in the middle, as two springs at its ends would have it.
+  const Quatd& q = w.particles.orientation[0];
+  const double turn = 2 * std::atan2(q.z, q.w);
+  const Vec3d sole{5 * mm - 3.875 * mm, -3.875 * mm, 0};  // its middle, from the centre of mass
+  const double deep = -(w.particles.motion[0].position.y + std::sin(turn) * sole.x + std::cos(turn) * sole.y);
+  EXPECT_NEAR(deep, weight / 2e4, 1e-6 * weight / 2e4);
+  const double ends = std::sin(turn) * 5 * mm;  // how far they lie above and below
+  EXPECT_NEAR(contacts[0].overlap, std::hypot(deep, ends), 1e-6 * deep);
 }
 
 // Each foot keeps its own memory: held by friction on a slope of 0.3 with μ = 0.4.
