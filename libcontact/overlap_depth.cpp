@@ -1,5 +1,7 @@
 #include "libcontact/overlap_depth.h"
 
+#include <algorithm>
+
 #include "libcontact/methods/method.h"
 #include "libcontact/methods/overlap_moments.h"
 #include "libcontact/methods/patch.h"
@@ -14,6 +16,8 @@ namespace {
 
 using shapes::Kind;
 
+double smaller(const Body& a, const Body& b) { return std::min(circumradius(a), circumradius(b)); }
+
 OverlapDepth scaled(OverlapDepth d, double up) {
   d.depth *= up;
   d.point *= up;
@@ -27,7 +31,7 @@ bool polyhedra(const Body& a, const Body& b, const Vec3d& offset, const Vec3d& t
   if (!(placed.size > 0)) return false;
   DepthSlope slope;
   const Vec3d n = transposed_times(a.rotation, towards);
-  if (!depth_slope(overlap_body(placed.pair, n), placed.size, slope)) return false;
+  if (!depth_slope(overlap_body(placed.pair, n), smaller(a, b) / up, slope)) return false;
   out = scaled(rotated(line_of_action(slope), a.rotation), up);
   return true;
 }
@@ -72,7 +76,7 @@ bool polygons(const Body& a, const Body& b, const Vec3d& offset, OverlapDepth& o
     cut(*region, n, pair.place_b.scale * pair.b.offsets[k] + dot(n, pair.place_b.at), PlanarOverlap::of_b, *other);
     std::swap(region, other);
   }
-  return finish(*region, pair.size, up, out);
+  return finish(*region, smaller(a, b) / up, up, out);
 }
 
 bool polygon_line(const Body& a, const Vec3d& wall, double height, OverlapDepth& out) {

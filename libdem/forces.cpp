@@ -288,7 +288,7 @@ class PairPass : public ForcePass {
       const ShapeEntry& e = world_.shapes[p_.shape[i]];
       return e.inscribed_radius * (p_.motion[i].bounding_radius / e.circumradius);
     };
-    return -q.gap > 0.5 * (inscribed(c_.index_a[k]) + inscribed(c_.index_b[k]));
+    return -q.gap > 0.9 * (inscribed(c_.index_a[k]) + inscribed(c_.index_b[k]));
   }
 
   // The overlap of flat faces as the potential of overlap_depth.h has it. False: of round bodies, of a method's own

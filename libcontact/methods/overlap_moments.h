@@ -19,10 +19,10 @@ struct DepthSlope {
 // As libcontact gives it.
 OverlapDepth line_of_action(const DepthSlope& slope);
 
-// An overlap shallower than this of the pair's size has lost half its digits to rounding: its depth is the gap's.
+// An overlap shallower than this of the smaller body has lost half its digits to rounding: its depth is the gap's.
 inline constexpr double least_depth = 0x1p-26;
 
-// False where the overlap of bodies of this size is shallower than that, or its vector area has no direction.
+// `size`: of the smaller body. False where the overlap is shallower than that, or its vector area has no direction.
 bool depth_slope(const OverlapBody& body, double size, DepthSlope& out);
 
 }  // namespace contact

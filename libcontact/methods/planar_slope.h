@@ -16,7 +16,7 @@ class PlanarOverlap {
     for (const LoopCorner& c : piece) corners_.push_back({c.x, side_of(c.side)});
     ends_.push_back(static_cast<std::uint32_t>(corners_.size()));
   }
-  // False where it is shallower than least_depth of `size`, or its chord has no direction.
+  // False where it is shallower than least_depth of `size`, that of the smaller body, or its chord has no direction.
   bool slope(double size, DepthSlope& out) const;
 
  private:

@@ -16,7 +16,7 @@ class PlaneOverlap {
     ends_.push_back(static_cast<std::uint32_t>(points_.size()));
   }
   // From the body into the plane's solid, in the frame of `plane`. False where it is shallower than least_depth of
-  // `size`.
+  // `size`, that of the body.
   bool slope(const PlaneFrame& plane, double size, OverlapDepth& out) const;
 
  private:

@@ -18,6 +18,7 @@ using Part = Polygon::Part;
 // Sides of a piece: 2 · edge of a's outline, 2 · edge + 1 of b's; a cut has no number.
 std::uint32_t number_of(std::uint32_t edge, bool of_b) { return edge == no_edge ? no_edge : 2 * edge + (of_b ? 1 : 0); }
 
+double radius(const PartsView& p) { return p.place.scale * p.shape.circumradius; }
 void measure(const PlanarOverlap& overlap, double size, Contact& c) {
   DepthSlope slope;
   if (overlap.slope(size, slope)) c.measure = line_of_action(slope);
@@ -31,7 +32,8 @@ struct Piece {
 
 class PolygonPair {
  public:
-  PolygonPair(const PartsView& a, const PartsView& b, double size) : a_(a), b_(b), size_(size) {}
+  PolygonPair(const PartsView& a, const PartsView& b, double size)
+      : a_(a), b_(b), size_(size), smaller_(std::min(radius(a), radius(b))) {}
 
   void find(const Options& options, RegionList& list) {
     clip_parts();
@@ -155,12 +157,12 @@ class PolygonPair {
     Contact c = region_answer(-least.value, size_, of_b ? -outward : outward, of_b ? least.corner : on_edge,
                               of_b ? on_edge : least.corner);
     if (options.patch) moments.patch(outward, c.patch);
-    if (options.measure) measure(overlap, size_, c);
+    if (options.measure) measure(overlap, smaller_, c);
     list.add(c);
   }
 
   const PartsView &a_, &b_;
-  double size_;
+  double size_, smaller_;
   ShortList<Piece, 16> pieces_;
   ShortList<LoopCorner, 64> corners_;
   Groups groups_;
@@ -231,7 +233,7 @@ std::size_t line_regions(const Placed<Polygon>& a, const Placed<shapes::Line>& b
     if (!(deepest.value > 0)) continue;
     Contact c = region_answer(-deepest.value, size, -m, deepest.corner, deepest.corner + deepest.value * m);
     if (options.patch) moments.patch(m, c.patch);
-    if (options.measure) measure(overlap, size, c);
+    if (options.measure) measure(overlap, radius(view), c);
     list.add(c);
   }
   return list.finish(unit.up);

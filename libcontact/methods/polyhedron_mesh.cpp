@@ -77,11 +77,11 @@ void add_over_region(const FacetView& view, const PlaneFrame& plane, const Depth
 }
 
 // What lies under the whole plane of the facet, about the solid's origin, along the mesh's axes.
-bool measure_under(const PlacedSolid& solid, const FacetView& view, OverlapDepth& out) {
+bool measure_under(const PlacedSolid& solid, const FacetView& view, double size, OverlapDepth& out) {
   const Vec3d n = transposed_times(solid.rotation, view.m);
   const OverlapBody& body = overlap_body(solid.shape, solid.scale, n, view.plane - dot(view.m, solid.centre));
   DepthSlope slope;
-  if (!depth_slope(body, view.size, slope)) return false;
+  if (!depth_slope(body, size, slope)) return false;
   out = rotated(line_of_action(slope), solid.rotation);
   return true;
 }
@@ -314,7 +314,8 @@ Contact Features::query(const Placed<shapes::Polyhedron>& a, const Placed<shapes
   }
   if (options.measure) {
     OverlapDepth depth;
-    if (whole ? measure_under(solid, view, depth) : overlap.slope(plane, size, depth)) {
+    if (whole ? measure_under(solid, view, radius * unit.down, depth)
+              : overlap.slope(plane, radius * unit.down, depth)) {
       if (!whole) depth.point -= solid.centre;
       c.measure = rotated(depth, b.rotation);
       c.measure.depth *= unit.up;

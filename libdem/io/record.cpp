@@ -8,6 +8,7 @@
 //       part_a share          with bodies of parts: the part of a, the share of the contact's stiffness
 //       force centre          on a; of the contact relative to a (left out when all are spheres)
 //       history_force history_normal history_overlap history_twist
+//       memory                with laws in stages: what else they remember, Contacts::memory
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -118,6 +119,11 @@ void put_contacts(hdf5::File& file, const std::string& at, const World& world) {
   file.put(at + "/history_normal", rows(kept, [&](std::size_t i) { return c.history[i].normal; }), 3);
   file.put(at + "/history_overlap", overlap, 1);
   file.put(at + "/history_twist", twist, 1);
+  if (c.words == 0) return;
+  std::vector<double> memory;
+  for (const std::size_t i : kept)
+    memory.insert(memory.end(), &c.memory[i * c.words], &c.memory[i * c.words] + c.words);
+  file.put(at + "/memory", memory, c.words);
 }
 
 void get_particles(const hdf5::File& file, const std::string& at, World& world) {
@@ -197,6 +203,10 @@ void get_contacts(const hdf5::File& file, const std::string& at, World& world) {
     const auto centre = file.get<double>(at + "/centre");
     for (std::size_t i = 0; i < a.size(); ++i) c.centre.push_back(vector_at(centre, i));
     c.cache.assign(a.size(), {});
+  }
+  if (file.has(at + "/memory") && !a.empty()) {
+    c.memory = file.get<double>(at + "/memory");
+    c.words = c.memory.size() / a.size();
   }
   c.touching.assign(a.size(), 1);
   world.contacts = std::move(c);

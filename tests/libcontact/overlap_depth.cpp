@@ -94,7 +94,7 @@ const shapes::Polyhedron& box() {
 }
 
 TEST(OverlapDepth, SlabIsAsDeepAsItIsThick) {
-  for (const double depth : {1e-9, 1e-3, 0.2}) {
+  for (const double depth : {1e-7, 1e-3, 0.2}) {
     const Pair onto{cube(box()), cube(box()), {0, 0, 1 - depth}},
         beside{cube(box()), cube(box()), {0.3, -0.2, 1 - depth}};
     const Pair wall{cube(box()), {.kind = Kind::plane}, {0, 0, depth - 0.5}};
@@ -110,6 +110,18 @@ TEST(OverlapDepth, SlabIsAsDeepAsItIsThick) {
     EXPECT_NEAR(beside.measure().point.x, 0.15, 1e-6);
     EXPECT_NEAR(beside.measure().point.y, -0.1, 1e-6);
   }
+}
+
+// So shallow that rounding is what is left of its shape.
+TEST(OverlapDepth, GrazesAreLeftToTheGap) {
+  OverlapDepth d;
+  const Body a = cube(box());
+  EXPECT_FALSE(overlap_depth(a, a, {0.1, 0, 1 - 1e-9}, {0, 0, 1}, d));
+  EXPECT_FALSE(overlap_depth(a, {.kind = Kind::plane}, {0, 0, 1e-9 - 0.5}, {0, 0, -1}, d));
+  EXPECT_FALSE(overlap_depth(a, a, {0.1, 0, 1.1}, {0, 0, 1}, d));
+  EXPECT_FALSE(overlap_depth(a, {.kind = Kind::ellipsoid, .size = {1, 1, 1}}, {0, 0, 1}, {0, 0, 1}, d));
+  EXPECT_FALSE(overlap_depth(cube(box()), {.kind = Kind::polyhedron, .geometry = &box(), .size = {0.1, 0.1, 0.1}}, {},
+                             {0, 0, 1}, d));  // one in the other
 }
 
 // d² = δ² + θ² L²/4 as long as the whole face is in; the corner springs of (1).
