@@ -1,6 +1,7 @@
 // From the shapes of two bodies that touch to what the laws take of them (law.map).
 //
 //   auto, equivalent_radius   1/R* = 1/R_a + 1/R_b, R of the sphere of equal volume (prism: the disc of equal area) (1)
+//                 Flat faces meet by d of libcontact/overlap_depth.h, with its J, in all maps but `volume`
 //   edge_radius   (1) with R = law.edge_radius of polyhedra and polygons, R = their rounding of rounded polyhedra (2)
 //   curvature     R* = φ² R_e, R_e = 1/(2 sqrt(AB)) of the gap A x² + B y², φ(B/A) of laws/elliptical.h, so that
 //                 Hertz' force of spheres 4/3 E* sqrt(R*) δ^(3/2) is that of the ellipse (3) at the normal where the

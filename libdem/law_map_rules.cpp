@@ -27,6 +27,8 @@ MapVerdict equivalent_verdict(Kind a, Kind b) {
     return {Verdict::model, "round parts as themselves, flat ones by the volume of the whole"};
   if (a == Kind::sphere && (b == Kind::sphere || b == Kind::plane)) return {Verdict::theory, ""};
   if (a == Kind::sphere && b == Kind::mesh) return {Verdict::theory, "edges of the mesh count as flat"};
+  if (a == Kind::polyhedron && (b == Kind::polyhedron || b == Kind::plane || b == Kind::mesh))
+    return {Verdict::model, "radius of the sphere of equal volume, on the overlap's depth and along its slope"};
   return {Verdict::model, "radius of the sphere of equal volume"};
 }
 
