@@ -5,6 +5,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "libdem/analysis/grid.h"
+
 namespace dem::analysis {
 
 namespace {
@@ -14,6 +16,7 @@ Pair merged(const Snapshot& s, const std::vector<std::uint32_t>& records, std::s
   Pair p;
   p.a = lead.a;
   p.b = lead.b;
+  p.wall = lead.wall;
   p.first = static_cast<std::uint32_t>(first);
   p.count = static_cast<std::uint32_t>(last - first);
   p.branch = lead.branch;
@@ -89,25 +92,20 @@ Pairs pairs_of(const Snapshot& s) {
   return pairs;
 }
 
-bool inside(const Snapshot& s, const Domain& region, const Vec3d& x) {
-  for (int k = 0; k < s.dimension; ++k) {
-    double v = x[k];
-    if (s.periodic[static_cast<std::size_t>(k)]) {
-      const double middle = 0.5 * (region.lower[k] + region.upper[k]);
-      v -= s.length[k] * std::round((v - middle) / s.length[k]);
-    }
-    if (v < region.lower[k] || v > region.upper[k]) return false;
-  }
-  return true;
-}
-
 Pairs within(Pairs pairs, const Snapshot& s, const std::optional<Domain>& region) {
   if (!region) return pairs;
-  const auto out = [&](const Pair& p) { return !inside(s, *region, p.point); };
+  const Grid whole(s, *region, {1, 1, 1});
+  const auto out = [&](const Pair& p) { return whole.index(p.point) == Grid::none; };
   std::erase_if(pairs.bodies, out);
   std::erase_if(pairs.walls, out);
   join(pairs, s.count());
   return pairs;
+}
+
+bool lacks_contacts(const Snapshot& s, Result& result) {
+  if (s.count() == 0) result.notes.emplace_back("no bodies");
+  if (!s.has_contacts) result.notes.emplace_back("contacts are not known: the file has none");
+  return s.count() == 0 || !s.has_contacts;
 }
 
 }  // namespace dem::analysis

@@ -13,12 +13,14 @@
 #include <optional>
 #include <vector>
 
+#include "libdem/analysis/result.h"
 #include "libdem/analysis/snapshot.h"
 
 namespace dem::analysis {
 
 struct Pair {
   std::uint32_t a = 0, b = 0;          // places of bodies; of a wall in Pairs::walls
+  bool wall = false;
   std::uint32_t first = 0, count = 0;  // its records: Pairs::records[first .. first + count)
   Vec3d force{};                       // on a, N
   Vec3d point{};                       // m, next to a where the cell is periodic
@@ -46,7 +48,8 @@ Pairs pairs_of(const Snapshot& snapshot);
 
 // The pairs of bodies whose points are in the region, all of them without one. Adjacency follows.
 Pairs within(Pairs pairs, const Snapshot& snapshot, const std::optional<Domain>& region);
-// Closed; along periodic axes of the nearest image to the region's middle.
-bool inside(const Snapshot& snapshot, const Domain& region, const Vec3d& x);
+
+// Whether there is nothing to say about contacts, with the note that says why: no bodies, or a file without contacts.
+bool lacks_contacts(const Snapshot& snapshot, Result& result);
 
 }  // namespace dem::analysis
