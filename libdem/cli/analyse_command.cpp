@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "libdem/analysis/frames.h"
+#include "libdem/analysis/in_run.h"
 #include "libdem/analysis/write.h"
 #include "libdem/cli/commands.h"
 #include "libdem/cli/progress.h"
@@ -73,15 +74,6 @@ void check_region(const AnalyseArguments& a, const analysis::Snapshot& s) {
   if (!a.region.empty() && (a.region.size() == 6) != (s.dimension == 3))
     throw InputError(fmt::format("--region: {} numbers; allowed {} in {}", a.region.size(), s.dimension == 3 ? 6 : 4,
                                  s.dimension == 3 ? "space" : "the plane"));
-}
-
-analysis::Result result_of(const Quantity& q, const analysis::Snapshot& s, const analysis::Settings& settings) {
-  if (q.needs_contacts && !s.has_contacts) {
-    analysis::Result none;
-    none.notes.emplace_back("not computed: the source has no contacts");
-    return none;
-  }
-  return q.of(s, settings);
 }
 
 std::string with_unit(double value, const std::string& unit) {
