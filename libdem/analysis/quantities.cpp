@@ -1,9 +1,17 @@
 #include "libdem/analysis/quantities.h"
 
+#include "libdem/analysis/coordination.h"
+#include "libdem/analysis/fabric.h"
+#include "libdem/analysis/rose.h"
+
 namespace dem::analysis {
 
 const std::vector<Quantity>& quantities() {
-  static const std::vector<Quantity> list{};
+  static const std::vector<Quantity> list{
+      {"coordination", "contacts per body, rattlers, constraints", "(9.42)-(9.45)", true, false, report_coordination},
+      {"fabric", "tensors of contact normals and branch vectors", "(9.46), (9.47)", true, false, report_fabric},
+      {"rose", "directions of contacts by number and by force", "(9.48), (9.49)", true, false, report_rose},
+  };
   return list;
 }
 
