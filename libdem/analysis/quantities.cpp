@@ -2,6 +2,7 @@
 
 #include "libdem/analysis/coordination.h"
 #include "libdem/analysis/fabric.h"
+#include "libdem/analysis/report_forces.h"
 #include "libdem/analysis/rose.h"
 
 namespace dem::analysis {
@@ -11,6 +12,7 @@ const std::vector<Quantity>& quantities() {
       {"coordination", "contacts per body, rattlers, constraints", "(9.42)-(9.45)", true, false, report_coordination},
       {"fabric", "tensors of contact normals and branch vectors", "(9.46), (9.47)", true, false, report_fabric},
       {"rose", "directions of contacts by number and by force", "(9.48), (9.49)", true, false, report_rose},
+      {"forces", "distributions, strong network, clusters, percolation, chains", "", true, false, report_forces},
   };
   return list;
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "libdem/analysis/fabric.h"
+#include "libdem/analysis/table.h"
 
 namespace dem::analysis {
 
@@ -167,61 +168,43 @@ void add_fit(Result& r, const std::string& name, const HarmonicFit& fit) {
 }
 
 Table plane_table(const Rose& rose, const std::string& name) {
-  Table t{name,
-          "Contact normals in the plane " + name + ", by number and by force",
-          {{"angle", "rad", {}},
-           {"share", "1", {}},
-           {"force_share", "1", {}},
-           {"density", "1/rad", {}},
-           {"force_density", "1/rad", {}},
-           {"fit", "1/rad", {}},
-           {"force_fit", "1/rad", {}},
-           {"mean_angle", "rad", {}}}};
+  Table t = table_of(name, "Contact normals in the plane " + name + ", by number and by force",
+                     {{"angle", "rad"},
+                      {"share", "1"},
+                      {"force_share", "1"},
+                      {"density", "1/rad"},
+                      {"force_density", "1/rad"},
+                      {"fit", "1/rad"},
+                      {"force_fit", "1/rad"},
+                      {"mean_angle", "rad"}});
   const double width = rose.width();
   for (std::size_t k = 0; k < rose.number.size(); ++k) {
     const double angle = width * static_cast<double>(k);
-    const double row[] = {angle,
-                          rose.number[k],
-                          rose.force[k],
-                          rose.number[k] / width,
-                          rose.force[k] / width,
-                          rose.number_fit.density(angle),
-                          rose.force_fit.density(angle),
-                          rose.mean_angle[k]};
-    for (std::size_t i = 0; i < 8; ++i) t.columns[i].values.push_back(row[i]);
+    add_row(t, angle, rose.number[k], rose.force[k], rose.number[k] / width, rose.force[k] / width,
+            rose.number_fit.density(angle), rose.force_fit.density(angle), rose.mean_angle[k]);
   }
   return t;
 }
 
 Table sphere_table(const SphereRose& rose, const HalfSphereBins& bins, const Mat3d& fit) {
-  Table t{"sphere",
-          "Contact normals on bins of equal solid angle over the half sphere; n and -n are one direction",
-          {{"x", "1", {}},
-           {"y", "1", {}},
-           {"z", "1", {}},
-           {"share", "1", {}},
-           {"force_share", "1", {}},
-           {"density", "1/sr", {}},
-           {"force_density", "1/sr", {}},
-           {"fit", "1/sr", {}},
-           {"mean_x", "1", {}},
-           {"mean_y", "1", {}},
-           {"mean_z", "1", {}}}};
+  Table t = table_of("sphere",
+                     "Contact normals on bins of equal solid angle over the half sphere; n and -n are one direction",
+                     {{"x", "1"},
+                      {"y", "1"},
+                      {"z", "1"},
+                      {"share", "1"},
+                      {"force_share", "1"},
+                      {"density", "1/sr"},
+                      {"force_density", "1/sr"},
+                      {"fit", "1/sr"},
+                      {"mean_x", "1"},
+                      {"mean_y", "1"},
+                      {"mean_z", "1"}});
   const double angle = 2 * bins.solid_angle();  // with the bin of −n
   for (std::size_t k = 0; k < bins.size(); ++k) {
     const Vec3d n = bins.centre(k), mean = rose.mean[k];
-    const double row[] = {n.x,
-                          n.y,
-                          n.z,
-                          rose.number[k],
-                          rose.force[k],
-                          rose.number[k] / angle,
-                          rose.force[k] / angle,
-                          (1 + dot(n, fit * n)) / (4 * pi),
-                          mean.x,
-                          mean.y,
-                          mean.z};
-    for (std::size_t i = 0; i < 11; ++i) t.columns[i].values.push_back(row[i]);
+    add_row(t, n.x, n.y, n.z, rose.number[k], rose.force[k], rose.number[k] / angle, rose.force[k] / angle,
+            (1 + dot(n, fit * n)) / (4 * pi), mean.x, mean.y, mean.z);
   }
   return t;
 }
@@ -240,6 +223,7 @@ Result report_rose(const Snapshot& s, const Settings& settings) {
   if (settings.bins % 2 != 0) r.notes.emplace_back("an odd number of bins counts as the next even one");
   if (std::any_of(pairs.begin(), pairs.end(), [](const Pair& p) { return p.pressing < 0; }))
     r.notes.emplace_back("contacts that pull count as zero in shares of force");
+  if (!s.has_forces) r.notes.emplace_back("forces are not known: shares of force are zero");
   const Vec3d axis[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (int u = 0; u < s.dimension; ++u)
     for (int v = u + 1; v < s.dimension; ++v) {
