@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "libdem/analysis/stress.h"
+
 namespace dem::analysis {
 
 std::vector<Mat3d> body_stresses(const Snapshot& s) {
@@ -11,10 +13,7 @@ std::vector<Mat3d> body_stresses(const Snapshot& s) {
     add_to(stress[c.a], outer(arm, c.force), -1 / s.volume[c.a]);
     if (!c.wall) add_to(stress[c.b], outer(arm - c.branch, c.force), 1 / s.volume[c.b]);
   }
-  for (Mat3d& m : stress) {
-    const Mat3d other = transposed(m);
-    for (int i = 0; i < 3; ++i) m.row[i] = (m.row[i] + other.row[i]) * 0.5;
-  }
+  for (Mat3d& m : stress) m = symmetric_part(m);
   return stress;
 }
 

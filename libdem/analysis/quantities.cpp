@@ -1,9 +1,12 @@
 #include "libdem/analysis/quantities.h"
 
 #include "libdem/analysis/coordination.h"
+#include "libdem/analysis/energy.h"
 #include "libdem/analysis/fabric.h"
 #include "libdem/analysis/report_forces.h"
 #include "libdem/analysis/rose.h"
+#include "libdem/analysis/stress.h"
+#include "libdem/analysis/velocity.h"
 
 namespace dem::analysis {
 
@@ -13,6 +16,12 @@ const std::vector<Quantity>& quantities() {
       {"fabric", "tensors of contact normals and branch vectors", "(9.46), (9.47)", true, false, report_fabric},
       {"rose", "directions of contacts by number and by force", "(9.48), (9.49)", true, false, report_rose},
       {"forces", "distributions, strong network, clusters, percolation, chains", "", true, false, report_forces},
+      {"energy", "energy of motion and place; in a run also stored and lost in contacts", "", false, false,
+       report_energy},
+      {"stress", "stress after Love and Weber with its kinetic part, total and per box", "(9.47)", false, false,
+       report_stress},
+      {"velocity", "mean velocity and spin, granular temperature, distribution of speeds", "", false, false,
+       report_velocity},
   };
   return list;
 }
