@@ -3,10 +3,13 @@
 #include "libdem/analysis/coordination.h"
 #include "libdem/analysis/energy.h"
 #include "libdem/analysis/fabric.h"
+#include "libdem/analysis/mixing.h"
+#include "libdem/analysis/orientation.h"
 #include "libdem/analysis/report_forces.h"
 #include "libdem/analysis/rose.h"
 #include "libdem/analysis/stress.h"
 #include "libdem/analysis/velocity.h"
+#include "libdem/analysis/walls.h"
 
 namespace dem::analysis {
 
@@ -16,6 +19,9 @@ const std::vector<Quantity>& quantities() {
       {"fabric", "tensors of contact normals and branch vectors", "(9.46), (9.47)", true, false, report_fabric},
       {"rose", "directions of contacts by number and by force", "(9.48), (9.49)", true, false, report_rose},
       {"forces", "distributions, strong network, clusters, percolation, chains", "", true, false, report_forces},
+      {"walls", "force, torque and maps of pressure on walls", "", true, false, report_walls},
+      {"orientation", "nematic order, alignment along walls", "", false, false, report_orientation},
+      {"mixing", "Lacey index, relative standard deviation, intensity of segregation", "", false, false, report_mixing},
       {"energy", "energy of motion and place; in a run also stored and lost in contacts", "", false, false,
        report_energy},
       {"stress", "stress after Love and Weber with its kinetic part, total and per box", "(9.47)", false, false,
