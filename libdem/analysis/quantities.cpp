@@ -1,11 +1,14 @@
 #include "libdem/analysis/quantities.h"
 
 #include "libdem/analysis/coordination.h"
+#include "libdem/analysis/displacement.h"
 #include "libdem/analysis/energy.h"
 #include "libdem/analysis/fabric.h"
+#include "libdem/analysis/flow.h"
 #include "libdem/analysis/mixing.h"
 #include "libdem/analysis/orientation.h"
 #include "libdem/analysis/report_forces.h"
+#include "libdem/analysis/repose.h"
 #include "libdem/analysis/rose.h"
 #include "libdem/analysis/stress.h"
 #include "libdem/analysis/velocity.h"
@@ -22,6 +25,10 @@ const std::vector<Quantity>& quantities() {
       {"walls", "force, torque and maps of pressure on walls", "", true, false, report_walls},
       {"orientation", "nematic order, alignment along walls", "", false, false, report_orientation},
       {"mixing", "Lacey index, relative standard deviation, intensity of segregation", "", false, false, report_mixing},
+      {"flow", "profiles of mean velocity, discharge, inflow, residence", "", false, false, report_flow},
+      {"repose", "angle of repose with its error, free surface", "", false, false, report_repose},
+      {"displacement", "displacement, strain and rotation since the reference; strain rate, vorticity; colour bands",
+       "", false, false, report_displacement},
       {"energy", "energy of motion and place; in a run also stored and lost in contacts", "", false, false,
        report_energy},
       {"stress", "stress after Love and Weber with its kinetic part, total and per box", "(9.47)", false, false,
