@@ -162,6 +162,10 @@ void CutSolid::cut(const Vec3d& normal, double offset) {
   *this = std::move(kept);
 }
 
+void CutSolid::move(const Vec3d& by) {
+  for (Vec3d& v : corners_) v += by;
+}
+
 double CutSolid::volume() const {
   if (faces_.empty()) return 0;
   const Vec3d apex = corners_[0];

@@ -44,6 +44,7 @@ class CutSolid {
 
   // Keeps what has normal·x <= offset, normal unit.
   void cut(const Vec3d& normal, double offset);
+  void move(const Vec3d& by);
   bool empty() const { return faces_.empty(); }
   std::span<const Face> faces() const { return faces_; }
   std::span<const Vec3d> corners() const { return corners_; }  // those that several faces share several times
