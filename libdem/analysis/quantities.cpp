@@ -1,9 +1,20 @@
 #include "libdem/analysis/quantities.h"
 
+#include "libdem/analysis/energy.h"
+#include "libdem/analysis/stress.h"
+#include "libdem/analysis/velocity.h"
+
 namespace dem::analysis {
 
 const std::vector<Quantity>& quantities() {
-  static const std::vector<Quantity> list{};
+  static const std::vector<Quantity> list{
+      {"energy", "energy of motion and place; in a run also stored and lost in contacts", "", false, false,
+       report_energy},
+      {"stress", "stress after Love and Weber with its kinetic part, total and per box", "(9.47)", false, false,
+       report_stress},
+      {"velocity", "mean velocity and spin, granular temperature, distribution of speeds", "", false, false,
+       report_velocity},
+  };
   return list;
 }
 

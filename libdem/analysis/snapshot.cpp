@@ -149,6 +149,11 @@ Snapshot snapshot_of(const World& world) {
   const std::vector<std::uint32_t> order = order_by_id(world);
   add_bodies(world, order, s);
   add_contacts(world, order, s);
+  if (world.contacts.incidence_start.size() == world.particles.count() + 1) {  // it has the list of a running world
+    s.elastic = energies(world).elastic;
+    const auto lost = dissipated(world);
+    if (world.scene.law.ledger) s.dissipated.assign(lost.begin(), lost.end());
+  }
   return s;
 }
 

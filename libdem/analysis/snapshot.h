@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,10 @@ struct Snapshot {
 
   std::array<bool, 3> periodic{};  // axes
   Vec3d lower{}, length{};         // of the cell along the periodic axes, m
+
+  // Of a running world alone, J: stored in contacts; with law.ledger lost up to now by contact::Mechanism, else empty.
+  std::optional<double> elastic;
+  std::vector<double> dissipated;
 
   bool has_contacts = true;  // false: read from a file without contacts
   bool has_forces = true;    // false: contacts were found from positions and sizes, `force` is zero
