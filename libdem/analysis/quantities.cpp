@@ -1,5 +1,6 @@
 #include "libdem/analysis/quantities.h"
 
+#include "libdem/analysis/density.h"
 #include "libdem/analysis/energy.h"
 #include "libdem/analysis/stress.h"
 #include "libdem/analysis/velocity.h"
@@ -8,6 +9,8 @@ namespace dem::analysis {
 
 const std::vector<Quantity>& quantities() {
   static const std::vector<Quantity> list{
+      {"density", "packing density by exact shares of boxes, its envelope over box sizes; rotation and motion per box",
+       "(9.39)", false, false, report_density},
       {"energy", "energy of motion and place; in a run also stored and lost in contacts", "", false, false,
        report_energy},
       {"stress", "stress after Love and Weber with its kinetic part, total and per box", "(9.47)", false, false,
