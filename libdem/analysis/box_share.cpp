@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "libdem/analysis/round_in_box.h"
@@ -13,6 +14,7 @@ namespace dem::analysis {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 using shapes::HalfSpace;
 using shapes::Kind;
 
@@ -109,31 +111,44 @@ Grid::Box BoxShares::bounds(std::size_t i) const {
 double BoxShares::in_half_spaces(std::size_t i, const Vec3d& shift, std::span<const HalfSpace> planes) const {
   const ShapeEntry& shape = s_.shape_of(i);
   const Vec3d centre = s_.position[i] + shift;
-  const bool round = is_ellipsoidal(shape.kind);
-  // In the body frame at scale 1; of ellipsoids in the frame in which they are the unit ball.
-  const Vec3d scale = round ? s_.size[i] : Vec3d{s_.size[i].x, s_.size[i].x, s_.size[i].x};
   const double reach = s_.bounding_radius[i];
-  std::array<HalfSpace, 8> near{};
-  std::size_t count = 0;
-  const Mat3d turn = rotation_matrix(s_.orientation[i]);
+  std::vector<HalfSpace> near;
+  Grid::Box box{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
+  bool upright = true;  // all of them along axes
   for (const HalfSpace& h : planes) {
     const double height = dot(h.normal, centre) - h.offset;
     if (height >= reach) return 0;
     if (height <= -reach) continue;
-    const Vec3d n = scaled(transposed_times(turn, h.normal), scale);
-    const double length = norm(n);
-    if (count == near.size()) throw std::logic_error("BoxShares: more than eight planes cut a body");
-    near[count++] = {n * (1 / length), -height / length};
+    near.push_back(h);
+    int axis = 0;
+    while (axis < 3 && std::fabs(h.normal[axis]) != 1) ++axis;
+    if (axis == 3)
+      upright = false;
+    else if (h.normal[axis] > 0)
+      box.upper[axis] = std::min(box.upper[axis], h.offset);
+    else
+      box.lower[axis] = std::max(box.lower[axis], -h.offset);
   }
   const double volume = s_.volume[i];
-  if (count == 0) return volume;
-  const std::span<const HalfSpace> cutting{near.data(), count};
+  if (near.empty()) return volume;
+  if (is_round(shape.kind) && upright) return in_box(i, shift, box);
+
+  // In the body frame at scale 1; of ellipsoids in the frame in which they are the unit ball.
+  const bool round = is_ellipsoidal(shape.kind);
+  const Vec3d scale = round ? s_.size[i] : Vec3d{s_.size[i].x, s_.size[i].x, s_.size[i].x};
+  const Mat3d turn = rotation_matrix(s_.orientation[i]);
+  for (HalfSpace& h : near) {
+    const Vec3d n = scaled(transposed_times(turn, h.normal), scale);
+    const double length = norm(n);
+    h = {n * (1 / length), (h.offset - dot(h.normal, centre)) / length};
+  }
   if (!round) {
     const BodyPieces& pieces = pieces_[s_.shape[i]];
-    return volume * std::clamp(pieces_in_planes(pieces, cutting) / pieces.volume, 0.0, 1.0);
+    return volume * std::clamp(pieces_in_planes(pieces, near) / pieces.volume, 0.0, 1.0);
   }
-  if (s_.dimension == 2) return volume * (ellipse_in_planes(cutting) / pi);
-  return volume * (ball_in_planes(cutting) / (4 * pi / 3));
+  const bool one = near.size() == 1;
+  if (s_.dimension == 2) return volume * ((one ? unit_disc_below(near[0].offset) : ellipse_in_planes(near)) / pi);
+  return volume * ((one ? unit_ball_below(near[0].offset) : ball_in_planes(near)) / (4 * pi / 3));
 }
 
 double BoxShares::in_box(std::size_t i, const Vec3d& shift, const Grid::Box& box) const {

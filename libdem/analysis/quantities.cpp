@@ -2,6 +2,7 @@
 
 #include "libdem/analysis/density.h"
 #include "libdem/analysis/energy.h"
+#include "libdem/analysis/porosity.h"
 #include "libdem/analysis/rdf.h"
 #include "libdem/analysis/stress.h"
 #include "libdem/analysis/velocity.h"
@@ -14,6 +15,8 @@ const std::vector<Quantity>& quantities() {
        "(9.39)", false, false, report_density},
       {"energy", "energy of motion and place; in a run also stored and lost in contacts", "", false, false,
        report_energy},
+      {"porosity", "porosity along the axes and over the distance from walls, exact slabs", "", false, false,
+       report_porosity},
       {"rdf", "radial distribution of the centres by exact shells, of species about species", "(9.40), (9.41)", false,
        false, report_rdf},
       {"stress", "stress after Love and Weber with its kinetic part, total and per box", "(9.47)", false, false,

@@ -109,4 +109,8 @@ double disc_in_box(const Vec3d& centre, double radius, const Vec3d& lower, const
   return std::fmax(0, sum) * radius * radius;
 }
 
+double unit_ball_below(double height) { return height < 0 ? beyond_one(-height) : 4 * pi / 3 - beyond_one(height); }
+
+double unit_disc_below(double height) { return height < 0 ? beyond_line(-height) : pi - beyond_line(height); }
+
 }  // namespace dem::analysis

@@ -21,5 +21,8 @@ using shapes::Vec3d;
 // Of the ball (of the disc: x and y alone) about `centre` in the box from lower to upper.
 double ball_in_box(const Vec3d& centre, double radius, const Vec3d& lower, const Vec3d& upper);
 double disc_in_box(const Vec3d& centre, double radius, const Vec3d& lower, const Vec3d& upper);
+// Of the unit ball (disc) below a plane (line) that lies `height` over its centre, < 0: under it.
+double unit_ball_below(double height);
+double unit_disc_below(double height);
 
 }  // namespace dem::analysis

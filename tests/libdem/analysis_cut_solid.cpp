@@ -56,6 +56,13 @@ TEST(AnalysisCutSolid, FacesEdgesAndCornersThroughTheCentreOrTouching) {
   EXPECT_NEAR(ball_in_box({}, 1, {-2, -2, 0.25}, {2, 2, 2}), pi / 3 * 0.75 * 0.75 * 2.25, 1e-15);
 }
 
+TEST(AnalysisCutSolid, BelowOnePlane) {
+  for (double h = -1.2; h < 1.3; h += 0.1) {
+    EXPECT_NEAR(unit_ball_below(h), ball_in_box({}, 1, {-2, -2, -2}, {2, 2, h}), 1e-15);
+    EXPECT_NEAR(unit_disc_below(h), disc_in_box({}, 1, {-2, -2, 0}, {2, h, 0}), 1e-15);
+  }
+}
+
 TEST(AnalysisCutSolid, PartsOfABallAddUp) {
   Random random(4, 0, 0);
   for (int t = 0; t < 200; ++t) {
