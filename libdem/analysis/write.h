@@ -23,7 +23,7 @@ namespace dem::analysis {
 
 // A table as the text of its file.
 std::string csv_of(const Table& table);
-// 17 digits; empty where it is not finite.
+// As short as reads back to the same bits; empty where it is not finite.
 std::string csv_number(double value);
 
 struct ScalarSeries {
@@ -58,12 +58,16 @@ class Writer {
   // Frame by frame: its place in the source and what it is, then its results, in the order of the quantities.
   void begin_frame(std::size_t frame, const Snapshot& snapshot);
   void add(const Quantity& quantity, const Result& result);
+  // A table over all frames together: <quantity>_<table>.csv.
+  void add_of_all(const Quantity& quantity, const Table& table);
   // Series, summary and analysis.json, the last file: where it stands the analysis is complete.
   void finish();
   const std::vector<QuantitySeries>& series() const { return series_; }
   const std::vector<double>& times() const { return times_; }
 
  private:
+  QuantitySeries& series_of(const Quantity& quantity);
+  void write_table(QuantitySeries& series, const Table& table, const std::string& name);
   std::string file(const std::string& name, const std::string& text);
   void write_series(const QuantitySeries& series);
   void write_blocks(const QuantitySeries& series);
