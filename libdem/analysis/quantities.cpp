@@ -31,7 +31,7 @@ const std::vector<Quantity>& quantities() {
        "", false, false, report_displacement},
       {"energy", "energy of motion and place; in a run also stored and lost in contacts", "", false, false,
        report_energy},
-      {"stress", "stress after Love and Weber with its kinetic part, total and per box", "(9.47)", false, false,
+      {"stress", "stress after Love and Weber with its kinetic part, total and per box", "Love, Weber", false, false,
        report_stress},
       {"velocity", "mean velocity and spin, granular temperature, distribution of speeds", "", false, false,
        report_velocity},
