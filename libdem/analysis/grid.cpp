@@ -6,10 +6,14 @@
 
 namespace dem::analysis {
 
+double mean_diameter(const Snapshot& snapshot) {
+  double sum = 0;
+  for (const double r : snapshot.radius) sum += 2 * r;
+  return snapshot.count() > 0 ? sum / static_cast<double>(snapshot.count()) : 0;
+}
+
 std::array<int, 3> boxes_of(const Snapshot& snapshot, const Domain& region, const std::array<int, 3>& asked) {
-  double mean = 0;
-  for (const double r : snapshot.radius) mean += r;
-  if (snapshot.count() > 0) mean /= static_cast<double>(snapshot.count());
+  const double diameter = mean_diameter(snapshot);
   constexpr double most = 4096;  // along an axis, of boxes that nobody asked for
   std::array<int, 3> boxes{1, 1, 1};
   for (int axis = 0; axis < snapshot.dimension; ++axis) {
@@ -17,8 +21,8 @@ std::array<int, 3> boxes_of(const Snapshot& snapshot, const Domain& region, cons
     const double width = region.upper[axis] - region.lower[axis];
     if (asked[i] > 0)
       boxes[i] = asked[i];
-    else if (mean > 0)
-      boxes[i] = static_cast<int>(std::clamp(std::round(width / (8 * mean)), 1.0, most));
+    else if (diameter > 0)
+      boxes[i] = static_cast<int>(std::clamp(std::round(width / (4 * diameter)), 1.0, most));
   }
   return boxes;
 }

@@ -134,8 +134,10 @@ class Grid {
   double volume_ = 0;
 };
 
-// Boxes that settings ask for, where they say 0 so many that each is about four mean diameters wide (equivalent
-// radius), over `region`. Without bodies: one along each axis.
+// Of the bodies' equivalent radii, m; 0 without bodies.
+double mean_diameter(const Snapshot& snapshot);
+// Boxes that settings ask for, where they say 0 so many that each is about four mean diameters wide, over
+// `region`. Without bodies: one along each axis.
 std::array<int, 3> boxes_of(const Snapshot& snapshot, const Domain& region, const std::array<int, 3>& asked);
 // settings.region, or domain_of(snapshot). Throws InputError when it is empty inside out.
 Domain region_of(const Snapshot& snapshot, const Settings& settings);
