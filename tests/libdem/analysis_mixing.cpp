@@ -105,6 +105,7 @@ TEST(AnalysisMixing, GroupsByEveryWord) {
   EXPECT_EQ(layers.of_body[9], 4u);
   EXPECT_EQ(size_of_group(groups_of(s, "position", nullptr), 0), 500);
   EXPECT_EQ(groups_of(s, "x", nullptr, 4).of_body[999], 3u);
+  for (const std::string& word : group_words()) EXPECT_EQ(groups_of(s, word, nullptr).of_body.size(), 1000u);
   try {
     groups_of(s, "colour", nullptr);
     ADD_FAILURE();

@@ -1,5 +1,6 @@
 // Contact networks of runs with every shape: what an analysis finds agrees with what the run itself counts and bears.
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <cstring>
 
@@ -96,15 +97,22 @@ TEST(AnalysisNetworkOfRun, EveryQuantityIsFiniteAndTheSameOnAnyNumberOfThreads) 
                            "repose", "displacement"}) {
     const Quantity* q = find_quantity(name);
     ASSERT_NE(q, nullptr) << name;
-    const Result r = q->of(s, settings), again = q->of(s, settings);
+    omp_set_num_threads(1);
+    const Result r = q->of(s, settings);
+    omp_set_num_threads(3);
+    const Result again = q->of(s, settings);
     ASSERT_EQ(r.scalars.size(), again.scalars.size());
     EXPECT_FALSE(r.scalars.empty() && r.tables.empty()) << name;
     for (std::size_t k = 0; k < r.scalars.size(); ++k) {
       EXPECT_TRUE(std::isfinite(r.scalars[k].value)) << name << ' ' << r.scalars[k].name;
       EXPECT_EQ(std::memcmp(&r.scalars[k].value, &again.scalars[k].value, sizeof(double)), 0);
     }
-    for (const Table& t : r.tables)
-      for (const Column& c : t.columns) {
+    ASSERT_EQ(r.tables.size(), again.tables.size());
+    for (std::size_t k = 0; k < r.tables.size(); ++k)
+      for (std::size_t i = 0; i < r.tables[k].columns.size(); ++i) {
+        const Table& t = r.tables[k];
+        const Column& c = t.columns[i];
+        EXPECT_EQ(c.values, again.tables[k].columns[i].values) << name << ' ' << t.name << ' ' << c.name;
         EXPECT_EQ(c.values.size(), t.columns[0].values.size()) << name << ' ' << t.name << ' ' << c.name;
         for (const double v : c.values) EXPECT_TRUE(std::isfinite(v)) << name << ' ' << t.name << ' ' << c.name;
       }
