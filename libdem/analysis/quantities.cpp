@@ -6,6 +6,7 @@
 #include "libdem/analysis/rdf.h"
 #include "libdem/analysis/stress.h"
 #include "libdem/analysis/velocity.h"
+#include "libdem/analysis/voronoi.h"
 
 namespace dem::analysis {
 
@@ -23,6 +24,11 @@ const std::vector<Quantity>& quantities() {
        report_stress},
       {"velocity", "mean velocity and spin, granular temperature, distribution of speeds", "", false, false,
        report_velocity},
+      {"voronoi", "radical Voronoi cells: volumes, local density and its distribution, faces for pictures", "", false,
+       false, report_voronoi},
+      {"set_voronoi",
+       "cells nearest to each body's surface, for every shape, with their error and the radical cells' difference", "",
+       false, true, report_set_voronoi},
   };
   return list;
 }
