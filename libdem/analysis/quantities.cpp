@@ -20,15 +20,15 @@ const std::vector<Quantity>& quantities() {
        report_porosity},
       {"rdf", "radial distribution of the centres by exact shells, of species about species", "(9.40), (9.41)", false,
        false, report_rdf},
-      {"stress", "stress after Love and Weber with its kinetic part, total and per box", "(9.47)", false, false,
+      {"set_voronoi",
+       "cells nearest to each body's surface, for every shape, with their error and the radical cells' difference", "",
+       false, true, report_set_voronoi},
+      {"stress", "stress after Love and Weber with its kinetic part, total and per box", "Love, Weber", false, false,
        report_stress},
       {"velocity", "mean velocity and spin, granular temperature, distribution of speeds", "", false, false,
        report_velocity},
       {"voronoi", "radical Voronoi cells: volumes, local density and its distribution, faces for pictures", "", false,
        false, report_voronoi},
-      {"set_voronoi",
-       "cells nearest to each body's surface, for every shape, with their error and the radical cells' difference", "",
-       false, true, report_set_voronoi},
   };
   return list;
 }

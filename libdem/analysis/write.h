@@ -17,6 +17,7 @@
 
 #include "libdem/analysis/quantities.h"
 #include "libdem/analysis/series.h"
+#include "libdem/analysis/settings.h"
 
 namespace dem::analysis {
 
