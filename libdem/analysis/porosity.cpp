@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "libdem/analysis/wall_planes.h"
+
 namespace dem::analysis {
 
 namespace {
@@ -103,41 +105,6 @@ PorosityProfile porosity_from(const Snapshot& s, const BoxShares& shares, const 
   return p;
 }
 
-std::vector<HalfSpace> planes_of(const SnapshotWall& wall, const Snapshot& s) {
-  std::vector<HalfSpace> planes;
-  if (s.count() == 0) return planes;
-  if (is_half_space(wall.kind)) {
-    planes.push_back({-wall.normal(), -dot(wall.normal(), wall.position)});
-  } else if (wall.polygon) {
-    for (std::size_t k = 0; k < wall.polygon->normals.size(); ++k) {
-      const Vec3d n = rotate(wall.orientation, wall.polygon->normals[k]);
-      planes.push_back({n, wall.polygon->offsets[k] + dot(n, wall.position)});
-    }
-  } else if (wall.mesh) {
-    for (const auto& f : wall.mesh->facets) {
-      const Vec3d n = rotate(wall.orientation, f.normal);
-      planes.push_back({n, f.offset + dot(n, wall.position)});
-    }
-  }
-  // The side of a container: the facets along the direction that most of them run along.
-  std::vector<HalfSpace> side;
-  for (std::size_t k = 1; k < planes.size(); ++k) {
-    const Vec3d axis = cross(planes[0].normal, planes[k].normal);
-    if (!(norm(axis) > 1e-3)) continue;
-    std::vector<HalfSpace> along;
-    for (const HalfSpace& h : planes)
-      if (std::fabs(dot(h.normal, axis)) < 1e-6 * norm(axis)) along.push_back(h);
-    if (along.size() >= 6 && along.size() > side.size()) side = along;
-  }
-  if (!side.empty()) planes = side;
-  for (HalfSpace& h : planes) {
-    if (dot(h.normal, s.position[0]) > h.offset) h = {-h.normal, -h.offset};
-    for (const Vec3d& x : s.position)
-      if (dot(h.normal, x) > h.offset) return {};
-  }
-  return planes;
-}
-
 Result report_porosity(const Snapshot& s, const Settings& settings) {
   Result r;
   if (s.count() == 0) {
@@ -167,7 +134,7 @@ Result report_porosity(const Snapshot& s, const Settings& settings) {
   }
   for (const SnapshotWall& wall : s.walls) {
     if (!wall.present) continue;
-    const std::vector<HalfSpace> planes = planes_of(wall, s);
+    const std::vector<HalfSpace> planes = side_of(planes_of(wall, s));
     if (planes.empty()) {
       r.notes.push_back("no profile from wall \"" + wall.name + "\": bodies lie on both sides of its planes");
       continue;

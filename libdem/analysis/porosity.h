@@ -24,11 +24,6 @@ struct PorosityProfile {
 PorosityProfile porosity_from(const Snapshot& snapshot, const BoxShares& shares, const Domain& region,
                               std::span<const shapes::HalfSpace> planes, double width, std::size_t slabs);
 
-// The planes of a wall: one of a plane or a line; of a mesh or a polygon those of its facets, of which, where six or
-// more run along one direction, as those of a cylinder or a drum do, these alone: its side. Empty, where the centres of
-// the bodies are not all on one side of each.
-std::vector<shapes::HalfSpace> planes_of(const SnapshotWall& wall, const Snapshot& snapshot);
-
 Result report_porosity(const Snapshot& snapshot, const Settings& settings);
 
 }  // namespace dem::analysis

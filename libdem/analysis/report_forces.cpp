@@ -190,7 +190,9 @@ Result report_forces(const Snapshot& s, const Settings& settings) {
     add_row(clusters, k, sizes.counts[k]);
   }
   r.tables.push_back(std::move(clusters));
-  r.tables.push_back(lines_table(s, network_lines(s, pairs, network), pairs, network, chains));
+  const std::vector<NetworkLine> lines = network_lines(s, pairs, network);
+  r.tables.push_back(lines_table(s, lines, pairs, network, chains));
+  r.surfaces.push_back(network_surface(lines));
   r.tables.push_back(bodies_table(s, network, chains));
   return r;
 }

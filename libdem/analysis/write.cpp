@@ -11,6 +11,7 @@
 
 #include "libdem/io/files.h"
 #include "libdem/io/io.h"
+#include "libdem/io/vtp.h"
 
 namespace dem::analysis {
 
@@ -54,10 +55,11 @@ std::vector<double> times_of(const ScalarSeries& s, const std::vector<double>& t
   return list;
 }
 
-// <quantity>.csv, <quantity>_….csv and the files of all together.
+// <quantity>.csv, <quantity>_….csv, <quantity>_….vtp and the files of all together.
 bool is_ours(const std::string& name) {
   if (name == "series_summary.csv") return true;
-  return name.ends_with(".csv") && std::any_of(quantities().begin(), quantities().end(), [&](const Quantity& q) {
+  return (name.ends_with(".csv") || name.ends_with(".vtp")) &&
+         std::any_of(quantities().begin(), quantities().end(), [&](const Quantity& q) {
            const std::string_view stem = std::string_view(name).substr(0, name.size() - 4);
            return stem == q.name || stem.starts_with(std::string(q.name) + "_");
          });
@@ -75,6 +77,15 @@ void add_note(QuantitySeries& series, const std::string& text, std::uint64_t ste
 }  // namespace
 
 std::string csv_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
+
+void write_surface(const Surface& surface, const std::string& path) {
+  io::Vtp vtp;
+  vtp.set_points(surface.points, false);
+  vtp.set_cells(surface.lines ? io::Vtp::Cells::lines : io::Vtp::Cells::polygons, surface.corners, surface.ends);
+  for (const Column& c : surface.columns) vtp.add_cell_array(c.name, 1, c.values);
+  for (const Column& c : surface.at_points) vtp.add_point_array(c.name, 1, c.values);
+  vtp.write(path);
+}
 
 std::string csv_of(const Table& table) {
   std::string head = heading(table.columns);
@@ -154,6 +165,12 @@ void Writer::add(const Quantity& quantity, const Result& result) {
     if (!t.name.empty()) name += "_" + t.name;
     if (!single_) name += fmt::format("_{:012}", step);
     write_table(series, t, name + ".csv");
+  }
+  for (const Surface& x : result.surfaces) {
+    std::string name = quantity.name + ("_" + x.name);
+    if (!single_) name += fmt::format("_{:012}", step);
+    write_surface(x, (fs::path(folder_) / (name + ".vtp")).string());
+    files_.push_back(name + ".vtp");
   }
 }
 

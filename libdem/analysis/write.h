@@ -1,5 +1,6 @@
 // Results of an analysis as files, units first. For each quantity
 //   <quantity>_<table>.csv          its tables; of several frames <quantity>_<table>_<step>.csv, written frame by frame
+//   <quantity>_<surface>.vtp        its polygons for pictures, likewise per frame: VTK, a value per polygon and column
 //   <quantity>_series.csv           a row per frame: time, step, its scalars, their errors as <scalar>_error
 //   <quantity>_blocks.csv           of 20 frames or more: means over blocks of time, with their errors
 // and of all together
@@ -23,6 +24,8 @@ namespace dem::analysis {
 
 // A table as the text of its file.
 std::string csv_of(const Table& table);
+// A VTK PolyData file.
+void write_surface(const Surface& surface, const std::string& path);
 // As short as reads back to the same bits; empty where it is not finite.
 std::string csv_number(double value);
 

@@ -12,6 +12,7 @@
 #include "libdem/analysis/force_network.h"
 #include "libdem/analysis/histogram.h"
 #include "libdem/analysis/report_forces.h"
+#include "libdem/analysis/write.h"
 #include "tests/libdem/analysis_sets.h"
 
 namespace dem::analysis {
@@ -211,7 +212,7 @@ TEST(AnalysisForces, LinesGoToTheNearestImage) {
   for (const NetworkLine& l : lines) EXPECT_NEAR(norm(l.to - l.from), l.wall ? 0.5 : 1, 1e-12);
   EXPECT_EQ(lines.back().relative, 2);
   const std::string path = ::testing::TempDir() + "analysis_forces_network.vtp";
-  write_network(path, lines);
+  write_surface(network_surface(lines), path);
   std::ifstream file(path);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   EXPECT_NE(text.find("NumberOfLines=\"193\""), std::string::npos);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "libdem/analysis/porosity.h"
+#include "libdem/analysis/wall_planes.h"
 #include "tests/libdem/analysis_bodies.h"
 #include "tests/libdem/analysis_lattices.h"
 
@@ -90,7 +91,7 @@ Snapshot in_a_cylinder() {
 TEST(AnalysisPorosity, ShellsFromTheSideOfACylinder) {
   const Snapshot s = in_a_cylinder();
   ASSERT_EQ(s.walls.size(), 1u);
-  const std::vector<HalfSpace> planes = planes_of(s.walls[0], s);
+  const std::vector<HalfSpace> planes = side_of(planes_of(s.walls[0], s));
   ASSERT_EQ(planes.size(), 24u);  // bottom and lid are not its side
   const BoxShares shares(s);
   const Domain region{{-0.06, -0.06, 0}, {0.06, 0.06, 0.04}};
