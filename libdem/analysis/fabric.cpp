@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "libdem/analysis/grid.h"
+#include "libdem/analysis/table.h"
 
 namespace dem::analysis {
 
@@ -19,17 +20,15 @@ void add_moments(Result& r, const char* name, const DirectionMoments& m, int dim
 }
 
 Table fourth_table(const DirectionMoments& m, int dimension) {
-  Table t{"fourth_order",
-          "Mean of products of four components of the contact normals",
-          {{"x_times", "1", {}}, {"y_times", "1", {}}, {"z_times", "1", {}}, {"mean", "1", {}}}};
+  Table t = table_of("fourth_order", "Mean of products of four components of the contact normals",
+                     {{"x_times", "1"}, {"y_times", "1"}, {"z_times", "1"}, {"mean", "1"}});
   for (int x = 4; x >= 0; --x)
     for (int y = 4 - x; y >= 0; --y) {
       const int z = 4 - x - y;
       if (dimension == 2 && z > 0) continue;
       std::array<int, 4> axis{};
       for (int k = 0; k < 4; ++k) axis[static_cast<std::size_t>(k)] = k < x ? 0 : (k < x + y ? 1 : 2);
-      const double row[] = {double(x), double(y), double(z), m.fourth(axis[0], axis[1], axis[2], axis[3])};
-      for (std::size_t k = 0; k < 4; ++k) t.columns[k].values.push_back(row[k]);
+      add_row(t, x, y, z, m.fourth(axis[0], axis[1], axis[2], axis[3]));
     }
   return t;
 }
@@ -97,7 +96,7 @@ Result report_fabric(const Snapshot& s, const Settings& settings) {
   add_moments(r, "fabric", f.normals, s.dimension);
   add_moments(r, "branch", f.branches, s.dimension);
   r.add("mean_branch", "m", f.mean_branch);
-  if (f.forces.weight() > 0)
+  if (s.has_forces && f.forces.weight() > 0)
     add_moments(r, "force_fabric", f.forces, s.dimension);
   else
     r.notes.emplace_back("no contact presses: no fabric weighted by force");

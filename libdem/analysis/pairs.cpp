@@ -108,4 +108,10 @@ bool lacks_contacts(const Snapshot& s, Result& result) {
   return s.count() == 0 || !s.has_contacts;
 }
 
+bool lacks_forces(const Snapshot& s, Result& result) {
+  if (lacks_contacts(s, result)) return true;
+  if (!s.has_forces) result.notes.emplace_back("forces are not known: contacts were found from places and sizes");
+  return !s.has_forces;
+}
+
 }  // namespace dem::analysis

@@ -19,7 +19,7 @@
 namespace dem::analysis {
 
 struct Pair {
-  std::uint32_t a = 0, b = 0;          // places of bodies; of a wall in Pairs::walls
+  std::uint32_t a = 0, b = 0;  // places of bodies; of a wall in Pairs::walls
   bool wall = false;
   std::uint32_t first = 0, count = 0;  // its records: Pairs::records[first .. first + count)
   Vec3d force{};                       // on a, N
@@ -51,5 +51,7 @@ Pairs within(Pairs pairs, const Snapshot& snapshot, const std::optional<Domain>&
 
 // Whether there is nothing to say about contacts, with the note that says why: no bodies, or a file without contacts.
 bool lacks_contacts(const Snapshot& snapshot, Result& result);
+// The same, or contacts without forces.
+bool lacks_forces(const Snapshot& snapshot, Result& result);
 
 }  // namespace dem::analysis

@@ -8,6 +8,7 @@
 #include "libdem/analysis/constraints.h"
 #include "libdem/analysis/coordination.h"
 #include "libdem/analysis/grid.h"
+#include "libdem/analysis/table.h"
 
 namespace dem::analysis {
 
@@ -32,14 +33,11 @@ Table distribution(const Coordination& c) {
   std::map<std::uint32_t, double> bodies;
   for (std::size_t i = 0; i < c.counted.size(); ++i)
     if (c.counted[i] != 0) ++bodies[c.of_body[i]];
-  Table t{"distribution",
-          "Bodies by number of contacts with other bodies",
-          {{"contacts", "1", {}}, {"bodies", "1", {}}, {"share", "1", {}}}};
+  Table t = table_of("distribution", "Bodies by number of contacts with other bodies",
+                     {{"contacts", "1"}, {"bodies", "1"}, {"share", "1"}});
   for (std::uint32_t k = 0; !bodies.empty() && k <= bodies.rbegin()->first; ++k) {
     const double n = bodies.contains(k) ? bodies[k] : 0;
-    t.columns[0].values.push_back(k);
-    t.columns[1].values.push_back(n);
-    t.columns[2].values.push_back(n / static_cast<double>(c.bodies));
+    add_row(t, k, n, n / static_cast<double>(c.bodies));
   }
   return t;
 }
@@ -54,15 +52,11 @@ Table by_species(const Snapshot& s, const Pairs& pairs, const Coordination& c) {
     met[{s.species[p.a], s.species[p.b]}] += c.counted[p.a];
     met[{s.species[p.b], s.species[p.a]}] += c.counted[p.b];
   }
-  Table t{"species",
-          "Mean number of contacts of a body of one species with those of another",
-          {{"species", "1", {}}, {"with_species", "1", {}}, {"bodies", "1", {}}, {"coordination", "1", {}}}};
+  Table t = table_of("species", "Mean number of contacts of a body of one species with those of another",
+                     {{"species", "1"}, {"with_species", "1"}, {"bodies", "1"}, {"coordination", "1"}});
   for (const auto& [a, n] : bodies)
     for (const auto& [b, unused] : bodies) {
-      t.columns[0].values.push_back(a);
-      t.columns[1].values.push_back(b);
-      t.columns[2].values.push_back(n);
-      t.columns[3].values.push_back(met.contains({a, b}) ? met[{a, b}] / n : 0);
+      add_row(t, a, b, n, met.contains({a, b}) ? met[{a, b}] / n : 0);
     }
   return t;
 }
@@ -77,20 +71,13 @@ Table by_box(const Snapshot& s, const Settings& settings, const Coordination& c)
     contacts[at] += c.of_body[i];
     walls[at] += c.walls_of_body[i];
   }
-  Table t{"boxes",
-          "Contacts per body, of the bodies whose centres are in a box",
-          {{"x", "m", {}},
-           {"y", "m", {}},
-           {"z", "m", {}},
-           {"bodies", "1", {}},
-           {"coordination", "1", {}},
-           {"coordination_with_walls", "1", {}}}};
+  Table t = table_of(
+      "boxes", "Contacts per body, of the bodies whose centres are in a box",
+      {{"x", "m"}, {"y", "m"}, {"z", "m"}, {"bodies", "1"}, {"coordination", "1"}, {"coordination_with_walls", "1"}});
   for (std::size_t at = 0; at < grid.size(); ++at) {
     if (bodies[at] <= 0) continue;
     const Vec3d x = grid.centre(at);
-    const double row[] = {
-        x.x, x.y, x.z, bodies[at], contacts[at] / bodies[at], (contacts[at] + walls[at]) / bodies[at]};
-    for (std::size_t k = 0; k < 6; ++k) t.columns[k].values.push_back(row[k]);
+    add_row(t, x.x, x.y, x.z, bodies[at], contacts[at] / bodies[at], (contacts[at] + walls[at]) / bodies[at]);
   }
   return t;
 }
@@ -166,15 +153,11 @@ Result report_coordination(const Snapshot& s, const Settings& settings) {
       fmt::format("rattlers: removed again and again, walls count as contacts; with friction below 2 contacts, without "
                   "below {} (spheres without weight: weight replaces one contact, a flat face up to three)",
                   least));
-  Table bodies{"bodies",
-               "Contacts of each body",
-               {{"id", "1", {}}, {"contacts", "1", {}}, {"wall_contacts", "1", {}}, {"rattler", "1", {}}}};
+  Table bodies = table_of("bodies", "Contacts of each body",
+                          {{"id", "1"}, {"contacts", "1"}, {"wall_contacts", "1"}, {"rattler", "1"}});
   const Backbone held = backbone_of(s, pairs, c, 2);
   for (std::size_t i = 0; i < s.count(); ++i) {
-    bodies.columns[0].values.push_back(static_cast<double>(s.id[i]));
-    bodies.columns[1].values.push_back(c.of_body[i]);
-    bodies.columns[2].values.push_back(c.walls_of_body[i]);
-    bodies.columns[3].values.push_back(held.rattles[i]);
+    add_row(bodies, s.id[i], c.of_body[i], c.walls_of_body[i], held.rattles[i]);
   }
   add_constraints(r, bodies, s, pairs, c);
   add_lines(r, s, settings, c);

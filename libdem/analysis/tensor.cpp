@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "libdem/analysis/table.h"
+
 namespace dem::analysis {
 
 namespace {
@@ -77,10 +79,9 @@ void add_tensor(Result& result, const std::string& name, const std::string& unit
 
 Table axes_table(const std::string& name, const std::string& title, const std::string& unit, const Principal& p,
                  int dimension) {
-  Table t{name, title, {{"value", unit, {}}, {"x", "1", {}}, {"y", "1", {}}, {"z", "1", {}}}};
+  Table t = table_of(name, title, {{"value", unit}, {"x", "1"}, {"y", "1"}, {"z", "1"}});
   for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k) {
-    t.columns[0].values.push_back(p.value[k]);
-    for (int i = 0; i < 3; ++i) t.columns[static_cast<std::size_t>(i) + 1].values.push_back(p.axis[k][i]);
+    add_row(t, p.value[k], p.axis[k].x, p.axis[k].y, p.axis[k].z);
   }
   return t;
 }

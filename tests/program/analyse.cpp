@@ -161,6 +161,38 @@ TEST_F(Analyse, OfAnotherCodeAndOfNothing) {
   EXPECT_FALSE(has(program::read(out("lone") + "/analysis.json"), "not finite"));
 }
 
+TEST(AnalyseInRun, RowsInTheFolderOfTheRun) {
+  const Folder folder;
+  const std::string text =
+      std::string(program::small_scene) +
+      "\n[analysis]\nwhat = [\"energy\", \"stress\"]\nboxes = [1, 1, 4]\nregion_upper = [1, 1, 1]\n";
+  const std::string scene = folder.write("scene.toml", text), out = folder.path("out");
+  const Outcome o = program::dem({"run", scene, "--out", out, "--quiet"});
+  ASSERT_EQ(o.exit_code, 0) << o.err;
+  EXPECT_EQ(dem::io::read_csv(out + "/analysis_energy.csv").rows.size(), 2u);  // with the frames: first and last
+  EXPECT_TRUE(std::filesystem::exists(out + "/analysis_stress.csv"));
+  EXPECT_TRUE(has(program::read(out + "/scene.toml"), "[analysis]\nwhat = [\"energy\", \"stress\"]"));
+  const Outcome check = program::dem({"check", scene});
+  EXPECT_TRUE(has(check.out, "with the frames: energy, stress")) << check.out;
+  // Replaced with the run, and gone with its reason.
+  ASSERT_EQ(program::dem({"run", folder.write("plain.toml", program::small_scene), "--out", out, "--force", "--quiet"})
+                .exit_code,
+            0);
+  EXPECT_FALSE(std::filesystem::exists(out + "/analysis_energy.csv"));
+  EXPECT_FALSE(has(program::read(out + "/scene.toml"), "[analysis]"));
+
+  const auto refused = [&](const std::string& from, const std::string& to, const std::string& part) {
+    const Outcome bad = program::dem({"check", folder.write("bad.toml", program::replaced(text, from, to))});
+    EXPECT_EQ(bad.exit_code, 2);
+    EXPECT_TRUE(has(bad.err, part)) << bad.err;
+  };
+  refused("\"stress\"]", "\"stres\"]", "did you mean stress?");
+  refused("[1, 1, 4]", "[1, 1, 4.5]", "whole numbers");
+  refused("[1, 1, 4]", "[1, 1, -4]", "analysis.boxes");
+  refused("region_upper = [1, 1, 1]", "region_upper = [1, 1, -1]", "region_upper > region_lower in z");
+  refused("boxes =", "split = \"colour\"\nboxes =", "species, size, shape, material");
+}
+
 TEST(AnalyseList, QuantitiesAreListed) {
   const Outcome o = program::dem({"list", "quantities", "--json"});
   ASSERT_EQ(o.exit_code, 0);
