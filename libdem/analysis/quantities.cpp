@@ -24,8 +24,11 @@ const std::vector<Quantity>& quantities() {
   static const std::vector<Quantity> list{
       {"density", "packing density by exact shares of boxes, its envelope over box sizes; rotation and motion per box",
        "(9.39)", false, false, report_density},
-      {"energy", "energy of motion and place; in a run also stored and lost in contacts", "", false, false,
-       report_energy},
+      {"voronoi", "radical Voronoi cells: volumes, local density and its distribution, faces for pictures", "", false,
+       false, report_voronoi},
+      {"set_voronoi",
+       "cells nearest to each body's surface, for every shape, with their error and the radical cells' difference", "",
+       false, true, report_set_voronoi},
       {"porosity", "porosity along the axes and over the distance from walls, exact slabs", "", false, false,
        report_porosity},
       {"rdf", "radial distribution of the centres by exact shells, of species about species", "(9.40), (9.41)", false,
@@ -34,9 +37,6 @@ const std::vector<Quantity>& quantities() {
       {"fabric", "tensors of contact normals and branch vectors", "(9.46), (9.47)", true, false, report_fabric},
       {"rose", "directions of contacts by number and by force", "(9.48), (9.49)", true, false, report_rose},
       {"forces", "distributions, strong network, clusters, percolation, chains", "", true, false, report_forces},
-      {"set_voronoi",
-       "cells nearest to each body's surface, for every shape, with their error and the radical cells' difference", "",
-       false, true, report_set_voronoi},
       {"stress", "stress after Love and Weber with its kinetic part, total and per box", "Love, Weber", false, false,
        report_stress},
       {"walls", "force, torque and maps of pressure on walls", "", true, false, report_walls},
@@ -48,8 +48,8 @@ const std::vector<Quantity>& quantities() {
        report_velocity},
       {"flow", "profiles of mean velocity, discharge, inflow, residence", "", false, false, report_flow},
       {"repose", "angle of repose with its error, free surface", "", false, false, report_repose},
-      {"voronoi", "radical Voronoi cells: volumes, local density and its distribution, faces for pictures", "", false,
-       false, report_voronoi},
+      {"energy", "energy of motion and place; in a run also stored and lost in contacts", "", false, false,
+       report_energy},
   };
   return list;
 }

@@ -182,11 +182,6 @@ class ShellSums {
   Vec3d lower_{}, upper_{};
 };
 
-std::string species_of(const Snapshot& s, int species) {
-  if (species <= 0) return "none";
-  return s.species_names[static_cast<std::size_t>(species) - 1];
-}
-
 }  // namespace
 
 double longest_range(const Snapshot& s, const Domain& region) {
@@ -196,13 +191,14 @@ double longest_range(const Snapshot& s, const Domain& region) {
   return range;
 }
 
-Rdf rdf_of(const Snapshot& s, const Domain& region, double range, int bins) {
+Rdf rdf_of(const Snapshot& s, const Groups& of, const Domain& region, double range, int bins) {
   range = std::min(range, longest_range(s, region));
   if (!(range > 0) || !std::isfinite(range) || bins < 1)
     throw InputError(fmt::format("radial distribution: range {} m and {} bins; allowed: a finite range > 0, bins >= 1",
                                  range, bins));
   Rdf rdf;
   rdf.width = range / bins;
+  rdf.names = of.names;
   Vec3d wrap{};
   double space = 1;
   for (int k = 0; k < s.dimension; ++k) {
@@ -210,25 +206,18 @@ Rdf rdf_of(const Snapshot& s, const Domain& region, double range, int bins) {
     rdf.bounded = rdf.bounded || !(wrap[k] > 0);
     space *= region.upper[k] - region.lower[k];
   }
-  // Groups: the species that there are.
-  rdf.species = {-1};
+  // One group more: of none.
+  const std::size_t groups = of.names.size() + 1, n = static_cast<std::size_t>(bins);
   std::vector<std::uint32_t> group_of(s.count());
-  std::vector<std::size_t> size(s.species_names.size() + 1);
+  std::vector<std::size_t> size(groups);
   const Grid whole(s, region, {1, 1, 1});
-  for (std::size_t i = 0; i < s.count(); ++i)
-    if (whole.index(s.position[i]) != Grid::none) ++size[s.species[i]];
-  std::vector<std::uint32_t> place(size.size());
-  rdf.bodies = {0};
-  for (std::size_t k = 0; k < size.size(); ++k)
-    if (size[k] > 0) {
-      place[k] = static_cast<std::uint32_t>(rdf.species.size() - 1);
-      rdf.species.push_back(static_cast<int>(k));
-      rdf.bodies.push_back(size[k]);
-      rdf.bodies[0] += size[k];
-    }
-  for (std::size_t i = 0; i < s.count(); ++i) group_of[i] = place[s.species[i]];
-  const std::size_t groups = rdf.species.size() - 1, n = static_cast<std::size_t>(bins);
-  if (groups == 0) return rdf;
+  for (std::size_t i = 0; i < s.count(); ++i) {
+    group_of[i] = std::min(of.of_body[i], static_cast<std::uint32_t>(groups - 1));
+    if (whole.index(s.position[i]) == Grid::none) continue;
+    ++size[group_of[i]];
+    ++rdf.bodies;
+  }
+  if (rdf.bodies == 0) return rdf;
 
   const Sorted sorted = sorted_into_cells(s, region, group_of, 0.5 * range);
   const std::vector<std::uint64_t> counts = PairCounter(sorted, wrap, range, bins, groups).all();
@@ -242,9 +231,10 @@ Rdf rdf_of(const Snapshot& s, const Domain& region, double range, int bins) {
       for (std::size_t b = 0; b < groups; ++b) all_counts[k] += static_cast<double>(counts[(a * groups + b) * n + k]);
     }
   }
-  const auto add = [&](int a, int b, std::size_t of, std::size_t about, const auto& count, const auto& shell) {
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::size_t about, std::size_t among, const auto& count,
+                       const auto& shell) {
     PairDistribution p{a, b, std::vector<double>(n), std::vector<double>(n)};
-    const double density = static_cast<double>(of) / space;
+    const double density = static_cast<double>(among) / space;
     for (std::size_t k = 0; k < n; ++k) {
       p.count[k] = count(k) / static_cast<double>(about);
       p.g[k] = shell[k] > 0 ? count(k) / (density * shell[k]) : 0;  // (1)
@@ -252,13 +242,16 @@ Rdf rdf_of(const Snapshot& s, const Domain& region, double range, int bins) {
     rdf.pairs.push_back(std::move(p));
   };
   add(
-      -1, -1, rdf.bodies[0], rdf.bodies[0], [&](std::size_t k) { return all_counts[k]; }, all_shells);
-  if (groups < 2) return rdf;
-  for (std::size_t a = 0; a < groups; ++a)
-    for (std::size_t b = 0; b < groups; ++b)
+      Groups::none, Groups::none, rdf.bodies, rdf.bodies, [&](std::size_t k) { return all_counts[k]; }, all_shells);
+  std::vector<std::uint32_t> there;
+  for (std::uint32_t a = 0; a + 1 < groups; ++a)
+    if (size[a] > 0) there.push_back(a);
+  if (there.size() < 2) return rdf;
+  for (const std::uint32_t a : there)
+    for (const std::uint32_t b : there)
       add(
-          rdf.species[a + 1], rdf.species[b + 1], rdf.bodies[b + 1], rdf.bodies[a + 1],
-          [&](std::size_t k) { return static_cast<double>(counts[(a * groups + b) * n + k]); }, shells[a]);
+          a, b, size[a], size[b], [&](std::size_t k) { return static_cast<double>(counts[(a * groups + b) * n + k]); },
+          shells[a]);
   return rdf;
 }
 
@@ -279,8 +272,8 @@ Result report_rdf(const Snapshot& s, const Settings& settings) {
     range = longest;
     r.notes.push_back(fmt::format("range cut to half the periodic cell: {:.6g} m", range));
   }
-  const Rdf rdf = rdf_of(s, region, range, settings.rdf_bins);
-  if (rdf.bodies[0] < 2) {
+  const Rdf rdf = rdf_of(s, groups_of(s, settings.split, settings.reference), region, range, settings.rdf_bins);
+  if (rdf.bodies < 2) {
     r.notes.emplace_back("fewer than two bodies in the region");
     return r;
   }
@@ -300,10 +293,11 @@ Result report_rdf(const Snapshot& s, const Settings& settings) {
     if (all.g[k] > all.g[peak]) peak = k;
   }
   t.columns.push_back(std::move(sum));
-  for (std::size_t p = 1; p < rdf.pairs.size(); ++p)
-    t.columns.push_back(
-        {"g_" + species_of(s, rdf.pairs[p].a) + "_" + species_of(s, rdf.pairs[p].b), "1", rdf.pairs[p].g});
-  r.add("bodies", "1", static_cast<double>(rdf.bodies[0]));
+  for (std::size_t p = 1; p < rdf.pairs.size(); ++p) {
+    const PairDistribution& pair = rdf.pairs[p];
+    t.columns.push_back({"g_" + rdf.names[pair.a] + "_" + rdf.names[pair.b], "1", pair.g});
+  }
+  r.add("bodies", "1", static_cast<double>(rdf.bodies));
   r.add("peak_distance", "m", t.columns[0].values[peak]);
   r.add("peak_height", "1", all.g[peak]);
   r.notes.emplace_back(rdf.bounded ? "boundary corrected: shells count as far as they lie in the region"

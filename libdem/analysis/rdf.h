@@ -1,4 +1,5 @@
-// Radial distribution function of the bodies' centres, of all and of one species about another.
+// Radial distribution function of the bodies' centres, of all and of one group about another: species, or what else
+// settings.split says (groups.h).
 //
 //   g_ab(r) = n_ab(r)/(n̄_b S(r))     n_ab: mean count of bodies b per reference body a with r <= distance < r + Δr
 //                                    n̄_b = N_b/V, S: volume of the shell, m³ (in the plane its area, m²)          (1)
@@ -9,30 +10,32 @@
 // (round_in_box.h): no bias, and bodies near a boundary count with what they can see. Along periodic axes that the
 // region spans the nearest image counts, up to half the cell. Meant for a homogeneous system.
 // Source: physics.md 1.5. Accuracy: counts exact, S to 1e-13. Cost: 1e5 spheres at five diameters 0.4 s on one core,
-// 0.6 s where all sides are boundaries; memory by bins × species². Tests: tests/libdem/analysis_rdf.cpp.
+// 0.6 s where all sides are boundaries; memory by bins × groups². Tests: tests/libdem/analysis_rdf.cpp.
 #pragma once
 
 #include "libdem/analysis/grid.h"
+#include "libdem/analysis/groups.h"
 #include "libdem/analysis/result.h"
 
 namespace dem::analysis {
 
 struct PairDistribution {
-  int a = 0, b = 0;           // species as in the snapshot; −1: all bodies
-  std::vector<double> count;  // per bin: mean per reference body
-  std::vector<double> g;      // (1)
+  std::uint32_t a = Groups::none, b = Groups::none;  // places in Rdf::names; none: all bodies
+  std::vector<double> count;                         // per bin: mean per reference body
+  std::vector<double> g;                             // (1)
 };
 
 struct Rdf {
   double width = 0;                     // Δr, m
-  std::vector<std::size_t> bodies;      // in the region: all, then of each species that is there
-  std::vector<int> species;             // −1, then these
-  std::vector<PairDistribution> pairs;  // all of all first; then (a, b) where there are several species
+  std::size_t bodies = 0;               // in the region
+  std::vector<std::string> names;       // of the groups
+  std::vector<PairDistribution> pairs;  // all of all first; then (a, b), where two groups or more have bodies there
   bool bounded = false;                 // an axis ends at the region's faces
 };
 
 // `range` from 0, m, cut down to half the cell along periodic axes that the region spans; bins > 0.
-Rdf rdf_of(const Snapshot& snapshot, const Domain& region, double range, int bins);
+// Bodies of no group count among all.
+Rdf rdf_of(const Snapshot& snapshot, const Groups& groups, const Domain& region, double range, int bins);
 // The largest range that the nearest image allows; infinite without periodic axes.
 double longest_range(const Snapshot& snapshot, const Domain& region);
 

@@ -12,11 +12,13 @@ namespace {
 Domain cell_of(const Snapshot& s) { return {s.lower, s.lower + s.length}; }
 Domain unit_box(const Snapshot& s) { return {{0, 0, 0}, {1, 1, s.dimension == 2 ? 0.0 : 1.0}}; }
 
+Groups by_species(const Snapshot& s) { return groups_of(s, "species", nullptr); }
+
 TEST(AnalysisRdf, LatticesHaveTheirShells) {
   for (const Lattice& l : lattices()) {
     const Snapshot s = lattice_of(l, {6, 6, 6}, {0.1, 0.2, 0.3});
     const double range = l.shells.back().first + 0.0123;  // up to where the list goes
-    const Rdf rdf = rdf_of(s, cell_of(s), range, 1000);
+    const Rdf rdf = rdf_of(s, by_species(s), cell_of(s), range, 1000);
     ASSERT_FALSE(rdf.bounded);
     std::vector<double> expected(1000, 0.0);
     for (const auto& [r, count] : l.shells) {
@@ -39,15 +41,16 @@ TEST(AnalysisRdf, LatticesHaveTheirShells) {
 struct Counted {
   std::vector<double> count, shell;
 };
-Counted by_force(const Snapshot& s, const Domain& region, double range, int bins, int a, int b) {
+Counted by_force(const Snapshot& s, const Domain& region, double range, int bins, std::uint32_t a, std::uint32_t b) {
+  const Groups groups = by_species(s);
   Counted c{std::vector<double>(static_cast<std::size_t>(bins)), {}};
   double about = 0;
   for (std::size_t i = 0; i < s.count(); ++i) {
-    if (a >= 0 && static_cast<int>(s.species[i]) != a) continue;
+    if (a != Groups::none && groups.of_body[i] != a) continue;
     if (!s.periodic[0] && !region.holds(s.position[i])) continue;
     ++about;
     for (std::size_t j = 0; j < s.count(); ++j) {
-      if (j == i || (b >= 0 && static_cast<int>(s.species[j]) != b)) continue;
+      if (j == i || (b != Groups::none && groups.of_body[j] != b)) continue;
       if (!s.periodic[0] && !region.holds(s.position[j])) continue;
       const double r = norm(s.between(s.position[i], s.position[j]));
       if (r < range) ++c.count[static_cast<std::size_t>(r / range * bins)];
@@ -64,7 +67,7 @@ TEST(AnalysisRdf, CountsAreThoseOfEveryPair) {
       s.species_names = {"red", "blue"};
       for (std::size_t i = 0; i < s.count(); ++i) s.species[i] = static_cast<std::uint32_t>(i % 7 == 0 ? 0 : i % 3);
       for (const double range : {0.1, 0.22, 0.49}) {
-        const Rdf rdf = rdf_of(s, unit_box(s), range, 20);
+        const Rdf rdf = rdf_of(s, by_species(s), unit_box(s), range, 20);
         ASSERT_EQ(rdf.pairs.size(), 10u);
         for (const PairDistribution& p : rdf.pairs)
           EXPECT_EQ(p.count, by_force(s, unit_box(s), range, 20, p.a, p.b).count);
@@ -75,8 +78,8 @@ TEST(AnalysisRdf, CountsAreThoseOfEveryPair) {
 TEST(AnalysisRdf, ARegionInsideCountsItsOwnBodies) {
   const Snapshot s = random_rounds(600, 0.01, 0.03, false);
   const Domain region{{0.2, 0.1, 0.3}, {0.9, 0.8, 0.7}};
-  const Rdf rdf = rdf_of(s, region, 0.3, 15);
-  EXPECT_EQ(rdf.pairs[0].count, by_force(s, region, 0.3, 15, -1, -1).count);
+  const Rdf rdf = rdf_of(s, by_species(s), region, 0.3, 15);
+  EXPECT_EQ(rdf.pairs[0].count, by_force(s, region, 0.3, 15, Groups::none, Groups::none).count);
   EXPECT_TRUE(rdf.bounded);
 }
 
@@ -87,7 +90,7 @@ TEST(AnalysisRdf, SharesOfShellsAreThoseOfPoints) {
     s.dimension = dimension;
     add_round(s, {0.1, 0.2, dimension == 2 ? 0 : 0.15}, 0.1);
     add_round(s, {0.5, 0.6, dimension == 2 ? 0 : 0.55}, 0.1);
-    const Rdf rdf = rdf_of(s, unit_box(s), 1, 4);
+    const Rdf rdf = rdf_of(s, by_species(s), unit_box(s), 1, 4);
     Random random(5, 0, 0);
     std::vector<double> share(4);
     const int points = 400000;
@@ -110,7 +113,7 @@ TEST(AnalysisRdf, NoBiasAtBoundariesOfRandomPoints) {
   const int sets = 12;
   for (int k = 0; k < sets; ++k) {
     const Snapshot s = random_rounds(500, 0, 0, false, 3, static_cast<std::uint64_t>(k + 1));
-    const Rdf rdf = rdf_of(s, unit_box(s), 0.6, 3);
+    const Rdf rdf = rdf_of(s, by_species(s), unit_box(s), 0.6, 3);
     const double g = rdf.pairs[0].g[2] / (1 - 1.0 / 500);
     sum += g / sets;
     squares += g * g / sets;
@@ -134,7 +137,7 @@ TEST(AnalysisRdf, ReportSaysHowAndWhatItCannot) {
   far.region = Domain{{100, 100, 100}, {101, 101, 101}};
   EXPECT_EQ(report_rdf(random_rounds(10, 0.1, 0.1, false), far).notes,
             std::vector<std::string>{"fewer than two bodies in the region"});
-  EXPECT_THROW(rdf_of(one, {{0, 0, 0}, {1, 1, 1}}, -1, 10), InputError);
+  EXPECT_THROW(rdf_of(one, by_species(one), {{0, 0, 0}, {1, 1, 1}}, -1, 10), InputError);
 }
 
 }  // namespace
