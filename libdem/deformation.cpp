@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "libdem/build.h"
+#include "libdem/rattlers.h"
 
 namespace dem {
 namespace {
@@ -245,7 +246,7 @@ Coordination coordination(const World& world) {
   const std::size_t count = world.particles.count();
   Coordination result;
   if (count == 0) return result;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  std::vector<BodyPair> pairs;
   for (std::size_t k = 0; k < c.count(); ++k)
     if (c.touching[k] != 0 && c.key[k].b < wall_base) pairs.emplace_back(std::minmax(c.index_a[k], c.index_b[k]));
   std::sort(pairs.begin(), pairs.end());
@@ -253,30 +254,15 @@ Coordination coordination(const World& world) {
   const bool friction =
       std::any_of(world.pairs.begin(), world.pairs.end(), [](const PairParameters& q) { return q.friction > 0; });
   const std::uint32_t least = friction ? 2 : static_cast<std::uint32_t>(world.scene.dimension) + 1;
-  std::vector<std::uint8_t> rattles(count, 0);
-  std::size_t rattlers = 0, held = pairs.size();
-  for (bool changed = true; changed;) {
-    changed = false;
-    held = 0;
-    std::vector<std::uint32_t> contacts(count, 0);
-    for (const auto& [a, b] : pairs) {
-      if (rattles[a] != 0 || rattles[b] != 0) continue;
-      ++contacts[a];
-      ++contacts[b];
-      ++held;
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      if (rattles[i] != 0 || contacts[i] >= least) continue;
-      rattles[i] = 1;
-      ++rattlers;
-      changed = true;
-    }
-  }
+  const std::vector<std::uint8_t> rattles = rattlers(count, pairs, {}, least);
+  const auto rattling = static_cast<std::size_t>(std::count(rattles.begin(), rattles.end(), std::uint8_t(1)));
+  const auto held = std::count_if(pairs.begin(), pairs.end(),
+                                  [&](const BodyPair& p) { return rattles[p.first] == 0 && rattles[p.second] == 0; });
   const auto n = static_cast<double>(count);
   result.pairs = pairs.size();
   result.all = 2 * static_cast<double>(pairs.size()) / n;
-  result.rattlers = static_cast<double>(rattlers) / n;
-  if (rattlers < count) result.backbone = 2 * static_cast<double>(held) / static_cast<double>(count - rattlers);
+  result.rattlers = static_cast<double>(rattling) / n;
+  if (rattling < count) result.backbone = 2 * static_cast<double>(held) / static_cast<double>(count - rattling);
   return result;
 }
 

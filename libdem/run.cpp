@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "libdem/analysis/in_run.h"
 #include "libdem/deformation.h"
 #include "libdem/io/files.h"
 #include "libdem/io/io.h"
@@ -33,6 +34,7 @@ class Output {
         checkpoint_every_(steps_between(world.scene.output.checkpoint_interval, world.time_step.dt)),
         cell_every_(steps_between(world.scene.output.cell_interval, world.time_step.dt)),
         walls_every_(steps_between(world.scene.output.walls_interval, world.time_step.dt)),
+        analysis_every_(steps_between(world.scene.analysis.interval, world.time_step.dt)),
         silent_(options.folder.empty()) {
     if (silent_) return;
     fs::create_directories(options.folder);
@@ -41,6 +43,7 @@ class Output {
     if (what.vtk) vtk_.emplace(options.folder);
     if (is_whole(world)) cell_.emplace(path("cell.csv"), world, resumed);
     if (what.walls && !world.walls.empty()) walls_.emplace(path("walls.csv"), world, resumed);
+    if (!world.scene.analysis.what.empty()) analysis_.emplace(world, options.folder, resumed);
     if (what.hdf5) record_.emplace(path("record.h5"), world, resumed && fs::exists(path("record.h5")));
     if (resumed) {  // frames that the stopped run wrote after its last checkpoint will come again
       if (vtk_) vtk_->truncate_after(world.step);
@@ -52,13 +55,14 @@ class Output {
 
   bool due_now(std::uint64_t step) const {
     return !silent_ && (due(step, frame_every_) || due(step, checkpoint_every_) || (cell_ && due(step, cell_every_)) ||
-                        (walls_ && due(step, walls_every_)));
+                        (walls_ && due(step, walls_every_)) || (analysis_ && due(step, analysis_every_)));
   }
   // Frames come before the checkpoint of the same step: a resume then has every frame up to its checkpoint.
   void write_due(const World& world) {
     if (due(world.step, frame_every_)) frame(world);
     if (cell_ && due(world.step, cell_every_)) cell_->write(world);
     if (walls_ && due(world.step, walls_every_)) walls_->write(world);
+    if (analysis_ && due(world.step, analysis_every_)) analysis_->write(world);
     if (due(world.step, checkpoint_every_)) checkpoint(world);
   }
   void checkpoint(const World& world) const {
@@ -69,6 +73,7 @@ class Output {
     if (record_) record_->write(world);
     if (cell_ && (cell_every_ == 0 || world.step == 0)) cell_->write(world);
     if (walls_ && (walls_every_ == 0 || world.step == 0)) walls_->write(world);
+    if (analysis_ && (analysis_every_ == 0 || world.step == 0)) analysis_->write(world);
   }
   // The state as it is, whether the run reached its end or failed.
   void state(const World& world) {
@@ -76,6 +81,7 @@ class Output {
     frame(world);
     if (cell_) cell_->write(world);
     if (walls_) walls_->write(world);
+    if (analysis_) analysis_->write(world);
     io::write_final_csv(path("final.csv"), world);
     if (!world.scene.outlets.empty()) io::write_discharge_csv(path("discharge.csv"), world);
   }
@@ -91,11 +97,12 @@ class Output {
   std::string path(const char* name) const { return options_.folder + "/" + name; }
 
   const RunOptions& options_;
-  std::uint64_t frame_every_, checkpoint_every_, cell_every_, walls_every_;
+  std::uint64_t frame_every_, checkpoint_every_, cell_every_, walls_every_, analysis_every_;
   bool silent_;
   std::optional<io::VtkSeries> vtk_;
   std::optional<io::Record> record_;
   std::optional<io::WallSeries> walls_;
+  std::optional<analysis::InRun> analysis_;
   std::optional<io::CellSeries> cell_;  // of a box that is periodic along every axis
 };
 

@@ -2,46 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "libdem/build.h"
+#include "libdem/mesh_triangles.h"
 
 namespace dem {
 
 namespace {
-
-std::array<Vec3d, 3> corners(const shapes::Mesh& mesh, std::size_t triangle) {
-  const std::uint32_t* t = &mesh.triangles[3 * triangle];
-  return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
-}
-
-// How far inside a triangle a point of its plane is: the least of its barycentric coordinates.
-double depth_in(const std::array<Vec3d, 3>& corner, const Vec3d& x) {
-  const Vec3d n = cross(corner[1] - corner[0], corner[2] - corner[0]);
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3d &a = corner[k], &b = corner[(k + 1) % 3];
-    least = std::min(least, dot(n, cross(b - a, x - a)));
-  }
-  return least / dot(n, n);
-}
-
-// The triangle of a facet that holds a point, or that it is least outside of.
-std::size_t triangle_at(const shapes::Mesh& mesh, std::uint32_t facet, const Vec3d& x) {
-  const auto& f = mesh.facets[facet];
-  std::size_t best = mesh.facet_triangles[f.first_triangle];
-  if (f.triangle_count == 1) return best;
-  double deepest = -std::numeric_limits<double>::infinity();
-  for (std::uint32_t i = 0; i < f.triangle_count; ++i) {
-    const std::size_t t = mesh.facet_triangles[f.first_triangle + i];
-    const double depth = depth_in(corners(mesh, t), x);
-    if (depth > deepest) {
-      deepest = depth;
-      best = t;
-    }
-  }
-  return best;
-}
 
 // The square of a plane's map that holds a point of its frame; made when it is the first there.
 std::size_t square_at(WallLoad& load, double cell, const Vec3d& x) {
@@ -115,10 +82,7 @@ std::vector<MapTraction> tractions(const World& world, const Wall& w) {
   const Mat3d r = rotation_matrix(w.orientation);
   for (std::size_t t = 0; t < list.size(); ++t) {
     double area = w.motion.map_cell * w.motion.map_cell;
-    if (w.mesh) {
-      const auto corner = corners(*w.mesh, t);
-      area = 0.5 * norm(cross(corner[1] - corner[0], corner[2] - corner[0]));
-    }
+    if (w.mesh) area = area_of(corners_of(*w.mesh, t));
     const MapLoad& load = w.load.map[t];
     const double per = 1 / (area * duration);
     list[t] = {r * (load.force * per), r * (load.tangential * per), load.pressing * per};

@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "libdem/analysis/result.h"
-#include "libdem/analysis/settings.h"
 
 namespace dem::analysis {
+
+struct Snapshot;
+struct Settings;
 
 struct Quantity {
   const char* name;      // snake_case, one word where it can be

@@ -1,9 +1,12 @@
 // What a quantity gives: numbers and tables with their units. Nothing here knows of files; write.h does.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "shapes/math/vec.h"
 
 namespace dem::analysis {
 
@@ -24,10 +27,21 @@ struct Table {        // columns of one length
   std::vector<Column> columns;
 };
 
+struct Surface {                      // polygons or lines, for pictures
+  std::string name;                   // the file is <quantity>_<name>.vtp
+  std::vector<shapes::Vec3d> points;  // m
+  std::vector<std::int32_t> corners;  // of the cells, one after the other: places in points
+  std::vector<std::int32_t> ends;     // cell i has corners[ends[i − 1]] … corners[ends[i] − 1]
+  std::vector<Column> columns;        // one value per cell
+  std::vector<Column> at_points;      // one value per point
+  bool lines = false;                 // cells are lines
+};
+
 struct Result {
   std::vector<Scalar> scalars;     // one value per frame: they make the series over time
   std::vector<Table> tables;       // of this frame
   std::vector<std::string> notes;  // what a reader must know: "no contacts", "boundary corrected", …
+  std::vector<Surface> surfaces;   // of this frame
   void add(std::string name, std::string unit, double value) {
     scalars.push_back({std::move(name), std::move(unit), value, {}});
   }

@@ -17,7 +17,7 @@ struct Settings {
   double rdf_range = 0;               // m; 0: five mean diameters
   int rdf_bins = 200;
   int voronoi_points = 0;               // surface points per body of set-Voronoi; 0: chosen, with its error
-  std::string split = "species";        // what mixing compares: species | size | shape | material
+  std::string split = "species";        // what mixing compares: the words of groups.h
   double strong_force = 1;              // of the mean normal force: from here on a contact is in the strong network
   std::string base_wall;                // of the angle of repose; empty: the lowest
   const Snapshot* reference = nullptr;  // frame that displacements, bands and mixing refer to; null: none

@@ -2,14 +2,15 @@
 // output of another code. Every quantity is a pure function of it.
 //
 //   order      bodies in order of id; contacts in order of the ids of a, then b, walls last, then part
-//   contacts   one entry per record: bodies that meet in several places (regions, parts, facets) have several. `branch`
-//              and `normal` point from a to b, `force` acts on a
+//   contacts   one entry per record: bodies that meet in several places (regions, parts, facets) have several. a is the
+//              body of lower id; `branch` and `normal` point from a to b, `force` acts on a
 //   plane      z of every vector is 0; volumes are areas times `thickness`, stresses are over it
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,7 @@ struct SnapshotWall {
   Vec3d position{}, velocity{}, spin{};
   Quatd orientation{};
   bool present = true;
+  Vec3d normal() const;  // of a plane or a line, into the free half-space
 };
 
 struct Snapshot {
@@ -67,22 +69,32 @@ struct Snapshot {
   std::array<bool, 3> periodic{};  // axes
   Vec3d lower{}, length{};         // of the cell along the periodic axes, m
 
-  bool has_contacts = true;  // false: read from a file without forces or contacts
-  bool has_rotation = true;  // false: `rotation` is not known and zero
+  // Of a running world alone, J: stored in contacts; with law.ledger lost up to now by contact::Mechanism, else empty.
+  std::optional<double> elastic;
+  std::vector<double> dissipated;
+
+  bool has_contacts = true;  // false: read from a file without contacts
+  bool has_forces = true;    // false: contacts were found from positions and sizes, `force` is zero
+  bool has_velocity = true, has_mass = true;
+  bool has_rotation = true;        // false: `rotation` is not known and zero; so of velocity and spin, mass
+  std::vector<std::string> notes;  // what the source does not say, or what was assumed for it
   std::size_t count() const { return id.size(); }
   const ShapeEntry& shape_of(std::size_t i) const { return shapes[shape[i]]; }
   // From x to the nearest image of y.
   Vec3d between(const Vec3d& x, const Vec3d& y) const;
 };
 
-// Of a world as it stands; contacts only if it has them at hand.
+// Of a world as it stands: running, or filled by io::load_frame (whose walls have no velocity, it is not in records).
+// Of a layer of spheres in the plane (disc_model "sphere") `volume` is that of the discs, as all else of the plane.
 Snapshot snapshot_of(const World& world);
 
 // Region that bodies may be in: the cell along periodic axes, else the box of all bodies and their bounding radii, cut
-// by the walls that are planes or lines along an axis and by the box of mesh walls.
+// by present walls: planes and lines along an axis; and the box around a mesh or polygon wall, at each of its sides
+// that all centres of bodies lie beyond or within. No bodies: an empty box.
 struct Domain {
-  Vec3d lower{}, upper{};
+  Vec3d lower{}, upper{};                  // m; in the plane z is 0
   double volume(const Snapshot& s) const;  // m³; of the plane: area times thickness
+  bool holds(const Vec3d& x) const;        // lower <= x < upper; in the plane of x and y alone
 };
 Domain domain_of(const Snapshot& snapshot);
 

@@ -184,6 +184,11 @@ void print_output(const World& world) {
   line("frames", files == nullptr ? "off: output.vtk and output.hdf5 are false"
                  : o.interval > 0 ? fmt::format("every {:.4g} s ({})", o.interval, files)
                                   : fmt::format("first and last: output.interval is 0 ({})", files));
+  const AnalysisSpec& a = world.scene.analysis;
+  line("analysis", a.what.empty() ? "off: no [analysis]"
+                   : a.interval > 0
+                       ? fmt::format("every {:.4g} s: {} (analysis_*.csv)", a.interval, fmt::join(a.what, ", "))
+                       : fmt::format("with the frames: {} (analysis_*.csv)", fmt::join(a.what, ", ")));
   line("picture", !o.picture             ? "off: output.picture is false"
                   : !render::available() ? "off: built without Embree"
                                          : "final.png");

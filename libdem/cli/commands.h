@@ -58,6 +58,21 @@ struct RenderArguments {
 };
 int render_command(const RenderArguments& arguments);
 
+struct AnalyseArguments {
+  std::string source, frames, out;
+  std::vector<std::string> what;  // names, "all"; empty: all that are not costly
+  std::vector<int> boxes;         // two or three
+  std::vector<double> region;     // lower and upper corner, four or six numbers
+  std::string split = "species", base_wall;
+  int bins = 36, rdf_bins = 200, voronoi_points = 0;
+  double rdf_range = 0, strong_force = 1;
+  std::optional<long> reference;
+  double density = 0, time_step = 0, contact_gap = 0;  // of files of other codes
+  int threads = 0;
+  bool quiet = false;
+};
+int analyse_command(const AnalyseArguments& arguments);
+
 struct NewArguments {
   std::string name, from = "two_bodies";
 };

@@ -8,6 +8,7 @@
 #include "libcontact/dispatch.h"
 #include "libcontact/laws/list.h"
 #include "libcontact/laws/model.h"
+#include "libdem/analysis/quantities.h"
 #include "libdem/cli/commands.h"
 #include "libdem/cli/list_maps.h"
 #include "libdem/laws_of_scene.h"
@@ -193,6 +194,17 @@ Json grains_json() {
   return out;
 }
 
+Json quantities_json() {
+  Json out = Json::array();
+  for (const analysis::Quantity& q : analysis::quantities())
+    out.push_back({{"name", q.name},
+                   {"equation", q.equation},
+                   {"contacts", q.needs_contacts ? "needed" : ""},
+                   {"cost", q.costly ? "high: only when named" : ""},
+                   {"what", q.what}});
+  return out;
+}
+
 Json topic_json(const std::string& topic) {
   if (topic == "shapes") return shapes_json();
   if (topic == "methods") return methods_json();
@@ -203,6 +215,7 @@ Json topic_json(const std::string& topic) {
   if (topic == "materials") return materials_json();
   if (topic == "friction") return friction_json();
   if (topic == "scenes") return scenes_json();
+  if (topic == "quantities") return quantities_json();
   return grains_json();
 }
 
@@ -268,8 +281,8 @@ void print_maps() {
 }  // namespace
 
 const std::vector<std::string>& list_topics() {
-  static const std::vector<std::string> topics{"shapes", "methods",   "laws",     "maps",   "pairs",
-                                               "keys",   "materials", "friction", "scenes", "grains"};
+  static const std::vector<std::string> topics{"shapes",    "methods",  "laws",   "maps",   "pairs",     "keys",
+                                               "materials", "friction", "scenes", "grains", "quantities"};
   return topics;
 }
 

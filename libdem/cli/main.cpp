@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <exception>
 
+#include "libdem/analysis/group_words.h"
 #include "libdem/cli/commands.h"
 #include "libdem/io/io.h"
 #include "shapes/polyhedron_build.h"
@@ -132,6 +133,63 @@ void add_render(CLI::App& app, RenderArguments& a, std::string& size) {
   sub->add_option("--size", size, "Width x height in pixels")->capture_default_str()->type_name("WxH");
 }
 
+void add_analyse(CLI::App& app, AnalyseArguments& a) {
+  CLI::App* sub = command(
+      app, "analyse", "What the bodies of a run, or of another code, do together: packing, contacts, stress, flow, …",
+      "  dem analyse out/hopper\n"
+      "  dem analyse out/hopper --frames 10:: --what coordination,stress --boxes 8,8,12\n"
+      "  dem analyse out/hopper --frames -1 --what all --out out/last\n"
+      "  dem analyse dump.granular --time-step 1e-6 --density 2500\n"
+      "dem list quantities shows what there is. Results are CSV files and analysis.json, units first.\n"
+      "Exit code 2: bad input.");
+  sub->add_option("source", a.source,
+                  "Folder of a run, its record.h5, a LAMMPS or LIGGGHTS text dump, or a .csv file of bodies")
+      ->required()
+      ->type_name("DIR|FILE");
+  sub->add_option("--frames", a.frames,
+                  "From frame A up to, not including, B, each S-th; negative from the end; A alone: one frame "
+                  "(default: all)")
+      ->type_name("A:B:S");
+  sub->add_option("--what", a.what, "Quantities, with commas; all: costly ones too (default: all that are not costly)")
+      ->delimiter(',')
+      ->type_name("LIST|all");
+  sub->add_option("--out", a.out, "Folder for the results (default: DIR/analysis, or FILE_analysis)")->type_name("DIR");
+  sub->add_option("--boxes", a.boxes, "Boxes along x, y, z; 0: about four mean diameters each (the default)")
+      ->delimiter(',')
+      ->expected(2, 3)
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("NX,NY,NZ");
+  sub->add_option("--region", a.region, "Where to look (default: the cell, or what bodies and walls span), m")
+      ->delimiter(',')
+      ->expected(4, 6)
+      ->type_name("X0,Y0,Z0,X1,Y1,Z1");
+  sub->add_option("--bins", a.bins, "Of histograms, and of roses over the full circle")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  sub->add_option("--rdf-range", a.rdf_range, "Of radial distributions, m; 0: five mean diameters")
+      ->check(CLI::NonNegativeNumber);
+  sub->add_option("--rdf-bins", a.rdf_bins, "Their shells")->check(CLI::Range(1, 1000000))->capture_default_str();
+  sub->add_option("--voronoi-points", a.voronoi_points, "Surface points per body of set-Voronoi cells; 0: chosen")
+      ->check(CLI::NonNegativeNumber);
+  sub->add_option("--split", a.split, "What mixing and partial distributions compare")
+      ->check(CLI::IsMember(dem::analysis::group_words()))
+      ->capture_default_str();
+  sub->add_option("--strong-force", a.strong_force, "From which part of the mean normal force on a contact is strong")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  sub->add_option("--base-wall", a.base_wall, "Wall that a heap stands on (default: the lowest)")->type_name("NAME");
+  sub->add_option("--reference", a.reference,
+                  "Frame that displacements, bands and mixing refer to; negative from the end (default: 0)")
+      ->type_name("FRAME");
+  sub->add_option("--density", a.density, "Of other codes' bodies without mass, kg/m^3")->check(CLI::PositiveNumber);
+  sub->add_option("--time-step", a.time_step, "Of other codes' dumps that count steps, s")->check(CLI::PositiveNumber);
+  sub->add_option("--contact-gap", a.contact_gap,
+                  "Spheres of other codes touch up to a gap of this share of the sum of their radii (default: 0)")
+      ->check(CLI::Range(0.0, 1.0));
+  sub->add_flag("--quiet", a.quiet, "No progress, no table of results");
+  add_threads(sub, a.threads);
+}
+
 void add_validate(CLI::App& app, ValidateArguments& a) {
   CLI::App* sub =
       command(app, "validate", "Run shipped scenes and compare them with exact answers and published numbers.",
@@ -179,6 +237,7 @@ int run_program(int argc, char** argv) {
   ContactArguments contact;
   LawArguments law;
   RenderArguments render;
+  AnalyseArguments analyse;
   ValidateArguments validate;
   NewArguments new_scene;
   std::string size = "1200x900", key;
@@ -189,6 +248,7 @@ int run_program(int argc, char** argv) {
   add_contact(app, contact);
   add_law(app, law);
   add_render(app, render, size);
+  add_analyse(app, analyse);
   add_validate(app, validate);
   add_new(app, new_scene);
   command(app, "schema", "Print the scene format as JSON Schema (draft 2020-12), for editors.",
@@ -208,6 +268,7 @@ int run_program(int argc, char** argv) {
   if (app.got_subcommand("list")) return list_command(list);
   if (app.got_subcommand("contact")) return contact_command(contact);
   if (app.got_subcommand("law")) return law_command(law);
+  if (app.got_subcommand("analyse")) return analyse_command(analyse);
   if (app.got_subcommand("validate")) return validate_command(validate);
   if (app.got_subcommand("new")) return new_command(new_scene);
   if (app.got_subcommand("schema")) return schema_command();

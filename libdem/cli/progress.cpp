@@ -66,4 +66,30 @@ void Progress::end() const {
   if (terminal_) fmt::print(stderr, "\n");
 }
 
+WorkProgress::WorkProgress(std::size_t pieces, bool quiet)
+    : wanted_(!quiet && stderr_is_terminal()),
+      pieces_(pieces),
+      start_(std::chrono::steady_clock::now()),
+      last_(start_) {}
+
+void WorkProgress::show(std::size_t done, const std::string& what) {
+  const auto now = std::chrono::steady_clock::now();
+  if (!wanted_ || std::chrono::duration<double>(now - last_).count() < (shown_ ? 0.1 : 1.0)) return;
+  last_ = now;
+  shown_ = true;
+  const double seconds = std::chrono::duration<double>(now - start_).count(), share = static_cast<double>(done);
+  const double left = done > 0 ? seconds / share * static_cast<double>(pieces_ - done) : -1;
+  const std::string line =
+      fmt::format("{:5.1f} %  {}  {} left", 100 * share / static_cast<double>(pieces_), what, duration_text(left));
+  if (stderr_has_color())
+    fmt::print(stderr, "\r\033[K\033[36m{}\033[0m", line);
+  else
+    fmt::print(stderr, "\r{:<80}", line);
+  std::fflush(stderr);
+}
+
+void WorkProgress::end() const {
+  if (shown_) fmt::print(stderr, "\n");
+}
+
 }  // namespace dem::cli

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <string>
 
 #include "libdem/world.h"
 
@@ -24,6 +25,19 @@ class Progress {
   double particle_steps_ = 0;
   std::uint64_t step_;
   std::chrono::steady_clock::time_point start_;
+};
+
+// Progress of work in equal pieces on stderr: one line redrawn on a terminal once a second has passed, else nothing.
+class WorkProgress {
+ public:
+  WorkProgress(std::size_t pieces, bool quiet);
+  void show(std::size_t done, const std::string& what);
+  void end() const;
+
+ private:
+  bool shown_ = false, wanted_;
+  std::size_t pieces_;
+  std::chrono::steady_clock::time_point start_, last_;
 };
 
 // "1 h 02 min", "3 min 20 s", "12 s", "0.4 s".

@@ -146,6 +146,7 @@ Cost expected_cost(const World& world, const Loads& loads, int threads, double s
     with_walls = std::max(with_walls, 2 * walls);
     const OutputCost of_sample = output_cost(bed.world);
     output.frame = std::max(output.frame, n / bodies * of_sample.frame);
+    output.analysis = std::max(output.analysis, n / bodies * of_sample.analysis);
     output.frame_bytes = std::max(output.frame_bytes, n / bodies * of_sample.frame_bytes);
     output.checkpoint_bytes = std::max(output.checkpoint_bytes, n / bodies * of_sample.checkpoint_bytes);
   }
@@ -170,7 +171,10 @@ Cost expected_cost(const World& world, const Loads& loads, int threads, double s
   const PictureCost picture = picture_cost(world);
   c.picture = picture.seconds;
   c.picture_memory = picture.bytes;
-  c.output = static_cast<double>(c.frames) * c.frame + static_cast<double>(c.checkpoints) * c.checkpoint + c.picture;
+  const AnalysisSpec& found = world.scene.analysis;
+  const std::uint64_t analyses = found.interval > 0 ? 2 + times_in(time, found.interval) : c.frames;
+  c.output = static_cast<double>(analyses) * output.analysis + static_cast<double>(c.frames) * c.frame +
+             static_cast<double>(c.checkpoints) * c.checkpoint + c.picture;
   c.disk = output.other_bytes + static_cast<double>(c.frames) * c.frame_bytes +
            static_cast<double>(std::min<std::uint64_t>(2, c.checkpoints)) * c.checkpoint_bytes;
   c.speed_up = speed_up(world, threads, c.beginning.step);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "libdem/analysis/in_run.h"
 #include "libdem/forecast/clock.h"
 #include "libdem/forecast/memory.h"
 #include "libdem/io/io.h"
@@ -58,6 +59,8 @@ OutputCost output_cost(const World& world) {
       if (vtk) vtk->write(world);
       if (record) record->write(world);
     });
+    if (!world.scene.analysis.what.empty())
+      cost.analysis = timed([&] { analysis::InRun(world, folder.path.string(), false).write(world); });
     cost.frame_bytes = folder.bytes() - empty;
     io::write_final_csv((folder.path / "final.csv").string(), world);
     constexpr double picture_bytes = 2e5;  // a picture of grains; an empty one is smaller

@@ -7,6 +7,7 @@ namespace dem::forecast {
 
 struct OutputCost {
   double frame = 0, checkpoint = 0;              // s
+  double analysis = 0;                           // s, of all that [analysis] names, once
   double frame_bytes = 0, checkpoint_bytes = 0;  // on the disk
   double other_bytes = 0;                        // whatever the number of frames: tables, record's head, picture
 };

@@ -88,8 +88,8 @@ class Record {
 // Frames of a record, in order of steps; RunError when the file is not a record.
 int frame_count(const std::string& record_path);
 // Puts frame 0 … frame_count − 1 into a world built from the same scene: step, particles (as many as the frame has),
-// poses of walls, touching contacts (key, force, centre, history). A picture or an analysis may follow; a run goes
-// on from a checkpoint only.
+// poses of walls (at rest), touching contacts (key, force, centre, history). A picture or an analysis may follow; a run
+// goes on from a checkpoint only.
 void load_frame(const std::string& record_path, World& world, int frame);
 
 // checkpoint files: written aside, synced, renamed; two kept (checkpoint-<step>.bin); magic, version, length, checksum.

@@ -173,6 +173,7 @@ void get_walls(const hdf5::File& file, const std::string& at, std::vector<Wall>&
     walls[i].present = present[i] != 0;
     walls[i].position = vector_at(position, i);
     walls[i].orientation = quaternion_at(orientation, i);
+    walls[i].velocity = walls[i].spin = {};  // not in the record
   }
 }
 

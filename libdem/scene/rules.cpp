@@ -50,6 +50,7 @@ class Rules : RuleContext {
     for (std::size_t i = 0; i < scene.walls.size(); ++i) check_wall_rules(*this, i);
     check_insertion_rules(*this);
     check_periodic_rules(*this);
+    check_analysis_rules(*this);
     check_law_rules(*this);
     if (!scene.drag.gradient.empty() && scene.drag.gradient.size() != 3)
       wrong("drag", 0, "gradient", fmt::format("allowed three rows, found {}", scene.drag.gradient.size()));

@@ -23,6 +23,7 @@ struct RuleContext {
 
 void check_wall_rules(const RuleContext& context, std::size_t wall);
 void check_periodic_rules(const RuleContext& context);
+void check_analysis_rules(const RuleContext& context);
 void check_law_rules(const RuleContext& context);        // laws, materials, pairs of materials
 void check_insertion_rules(const RuleContext& context);  // regions, fills, rain, outlets, species, events, run.until
 

@@ -41,6 +41,18 @@ struct OutputSpec {
   bool vtk = true, hdf5 = true, picture = true, walls = true;
 };
 
+struct AnalysisSpec {                    // what a run finds out about itself as it goes; see libdem/analysis
+  std::vector<std::string> what;         // quantities; empty: none
+  double interval = 0;                   // s between rows; 0: with the frames
+  Vec3d boxes{};                         // along x, y, z; 0: about four mean diameters each
+  Vec3d region_lower{}, region_upper{};  // m; equal: everything
+  int bins = 36, rdf_bins = 200, voronoi_points = 0;
+  double rdf_range = 0;  // m; 0: five mean diameters
+  std::string split = "species";
+  double strong_force = 1;
+  std::string base_wall;  // empty: the lowest
+};
+
 struct MaterialSpec {
   std::string name;
   double young = 0;        // Pa
@@ -246,6 +258,7 @@ struct Scene {
   std::string title;
   RunSpec run;
   OutputSpec output;
+  AnalysisSpec analysis;
   Vec3d gravity{};  // m/s²
   PeriodicSpec periodic;
   DragSpec drag;

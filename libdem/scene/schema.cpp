@@ -223,12 +223,22 @@ std::vector<Key> body_keys() {
   };
 }
 
+// Written where the scene asks for something alone.
+Key analysis() {
+  Key key = table<&Scene::analysis>("analysis", "What a run finds out about itself as it goes.", analysis_keys());
+  key.count = [](const void* scene) -> std::size_t {
+    return static_cast<const Scene*>(scene)->analysis.what.empty() ? 0 : 1;
+  };
+  return key;
+}
+
 std::shared_ptr<const Section> whole() {
   std::vector<Key> keys{
       include(),
       value<&Scene::title>("title", "", "One line about the scene."),
       table<&Scene::run>("run", "Time, step and neighbour list.", run_keys()),
       table<&Scene::output>("output", "What a run writes, and when.", output_keys()),
+      analysis(),
       heading<Scene>(
           "world", "What surrounds the bodies.",
           {value<&Scene::gravity>("gravity", "m/s^2", "Acceleration of gravity; [0, 0, 0] for none.").must(),

@@ -7,6 +7,7 @@
 
 namespace dem {
 
+std::vector<Key> analysis_keys();     // of [analysis]
 std::vector<Key> wall_keys();         // of [[wall]]
 std::vector<Key> periodic_keys();     // of [periodic]
 std::vector<Key> drag_keys();         // of [drag]

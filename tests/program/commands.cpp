@@ -159,8 +159,8 @@ TEST(List, JsonHasEveryList) {
 }
 
 TEST(List, EachTopicPrints) {
-  for (const char* topic :
-       {"shapes", "methods", "laws", "maps", "pairs", "keys", "materials", "friction", "scenes", "grains"}) {
+  for (const char* topic : {"shapes", "methods", "laws", "maps", "pairs", "keys", "materials", "friction", "scenes",
+                            "grains", "quantities"}) {
     const Outcome o = program::dem({"list", topic});
     EXPECT_EQ(o.exit_code, 0) << topic;
     EXPECT_GT(std::count(o.out.begin(), o.out.end(), '\n'), 1) << topic;
@@ -180,7 +180,7 @@ TEST(Explain, PrintsTheEntry) {
 
 TEST(Help, EveryCommandHasExamples) {
   for (const char* command :
-       {"run", "resume", "check", "list", "contact", "render", "explain", "validate", "new", "schema"}) {
+       {"run", "resume", "check", "list", "contact", "render", "analyse", "explain", "validate", "new", "schema"}) {
     const Outcome o = program::dem({command, "--help"});
     EXPECT_EQ(o.exit_code, 0) << command;
     EXPECT_TRUE(has(o.out, std::string("dem ") + command)) << o.out;

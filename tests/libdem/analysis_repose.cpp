@@ -1,0 +1,99 @@
+// Angle of repose of heaps made under a known surface: in the plane, a cone, a ridge, against a wall.
+#include <gtest/gtest.h>
+
+#include "libdem/analysis/repose.h"
+#include "libdem/scene/where.h"
+#include "tests/libdem/analysis_sets.h"
+
+namespace dem::analysis {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+// Bodies wherever they fit under h = height − slope · r; r from (shift, 0).
+template <class Radius>
+Snapshot heap(int dimension, double angle, double height, Radius radius_of, bool ridge = false) {
+  Snapshot s;
+  s.dimension = dimension;
+  s.gravity = dimension == 2 ? Vec3d{0, -9.81, 0} : Vec3d{0, 0, -9.81};
+  const double slope = std::tan(angle * degree), reach = height / slope, r = 0.25;
+  if (ridge) {
+    s.periodic = {false, true, false};
+    s.length = {0, 4, 0};
+  }
+  Random random(11, 0, 0);
+  const int count = dimension == 2 ? 6000 : (ridge ? 30000 : 150000);
+  for (int i = 0; i < count; ++i) {
+    Vec3d x{random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(r, height)};
+    if (dimension == 2) x = {x.x, x.z, 0};
+    if (ridge) x.y = random.uniform(0, 4);
+    const double up = dimension == 2 ? x.y : x.z;
+    if (up + r <= height - slope * radius_of(x)) sets::add_body(s, x, r);
+  }
+  return s;
+}
+double along_x(const Vec3d& x) { return std::abs(x.x); }
+double about_z(const Vec3d& x) { return std::hypot(x.x, x.y); }
+
+void expect_angle(const Snapshot& s, double angle, double within, std::size_t sides) {
+  const Repose found = repose_of(free_surface_of(s, {}));
+  ASSERT_TRUE(found.angle);
+  EXPECT_EQ(found.slopes.size(), sides);
+  EXPECT_NEAR(*found.angle / degree, angle, within);
+  EXPECT_NEAR(*found.angle, angle * degree, 3 * *found.error + 0.2 * degree);
+  EXPECT_GT(*found.error, 0);
+  EXPECT_LT(*found.error / degree, 2);
+}
+
+TEST(AnalysisRepose, HeapsOfTheirOwnAngle) {
+  for (const double angle : {18.0, 25.0, 34.0}) expect_angle(heap(2, angle, 10, along_x), angle, 1, 2);
+  expect_angle(heap(3, 28, 8, about_z), 28, 1, 8);
+  expect_angle(heap(3, 28, 8, along_x, true), 28, 1, 2);
+}
+
+TEST(AnalysisRepose, UpIsWhereGravitySays) {
+  Snapshot s = heap(3, 28, 8, about_z);
+  const double expected = *repose_of(free_surface_of(s, {})).angle;
+  for (Vec3d& x : s.position) x = {x.z, x.x, x.y};  // up is x
+  s.gravity = {-9.81, 0, 0};
+  EXPECT_NEAR(*repose_of(free_surface_of(s, {})).angle, expected, 1e-12);
+}
+
+TEST(AnalysisRepose, HeapAgainstAWallHasOneSideLess) {
+  Snapshot s = heap(2, 25, 10, [](const Vec3d& x) { return x.x < -1.5 ? 1e9 : std::abs(x.x); });
+  const Repose found = repose_of(free_surface_of(s, {}));
+  ASSERT_EQ(found.slopes.size(), 1u);
+  EXPECT_NEAR(*found.angle / degree, 25, 1);
+}
+
+TEST(AnalysisRepose, BasesAndFlyingBodies) {
+  Snapshot s = heap(2, 25, 10, along_x);
+  s.walls.resize(2);
+  s.walls[0].name = "floor";
+  s.walls[0].kind = shapes::Kind::line;
+  s.walls[0].position = {0, -2, 0};
+  s.walls[1] = s.walls[0];
+  s.walls[1].name = "lower";
+  s.walls[1].position.y = -3;
+  EXPECT_EQ(free_surface_of(s, {}).base, -3);
+  Settings settings;
+  settings.base_wall = "floor";
+  EXPECT_EQ(free_surface_of(s, settings).base, -2);
+  settings.base_wall = "ceiling";
+  EXPECT_THROW(free_surface_of(s, settings), InputError);
+  // Contacts for all but a body high above.
+  for (std::size_t i = 0; i + 1 < s.count(); ++i) sets::touch(s, i, i + 1);
+  const double height = repose_of(free_surface_of(s, {})).height;
+  sets::add_body(s, {0, 50, 0}, 0.25);
+  EXPECT_EQ(repose_of(free_surface_of(s, {})).height, height);
+}
+
+TEST(AnalysisRepose, NoHeapIsSaid) {
+  EXPECT_EQ(report_repose(Snapshot{}, {}).notes.size(), 1u);
+  const Result r = report_repose(sets::square(), {});  // a level bed
+  EXPECT_EQ(r.notes.size(), 3u);
+  for (const Scalar& x : r.scalars) EXPECT_NE(x.name, "angle_of_repose");
+}
+
+}  // namespace
+}  // namespace dem::analysis
