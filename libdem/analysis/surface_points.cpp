@@ -223,6 +223,7 @@ SurfacePoints::SurfacePoints(const Snapshot& snapshot, std::size_t count) : s_(s
       default:
         throw std::logic_error("SurfacePoints: a body of the kind of a wall");
     }
+    if (!shape.compound && !(shape.polygon && !shape.polygon->convex)) of_shape_.back().push_back({});
   }
 }
 

@@ -6,7 +6,9 @@
 //                        sequence of the plastic number; of round shapes moved onto the surface: an ellipsoid along its
 //                        radius, a rounded polyhedron away from its core, a potential particle away from its centre
 //   bodies of parts      points of the parts that lie in no other part
-// No random numbers: the same points always. Bodies of parts get about `count` points, the others `count`.
+// and, of convex bodies, their centre: else all cells of a sphere would meet in one point, which is where Voronoi codes
+// lose digits. Points inside change no cell but those of the same body.
+// No random numbers: the same points always. Bodies of parts get about `count` points.
 // Accuracy: on the surface to 1e-12 of the size. Tests: tests/libdem/analysis_voronoi.cpp.
 #pragma once
 

@@ -13,7 +13,7 @@ namespace dem::analysis {
 
 namespace {
 
-constexpr std::size_t most_drawn = 20000;  // bodies: polygons of more make files that no viewer likes
+constexpr std::size_t most_drawn = 60000;  // cells: polygons of more make files that no viewer likes
 
 bool along_an_axis(const Vec3d& n) { return max_abs(n) > 1 - 1e-12; }
 
@@ -125,10 +125,14 @@ bool lacks_cells(const Snapshot& s, const Container& container, Result& r) {
   return true;
 }
 
-bool wants_surface(const Snapshot& s, Result& r) {
-  if (s.count() <= most_drawn) return true;
-  r.notes.push_back(fmt::format("no file of the cells' faces: more than {} bodies", most_drawn));
+bool wants_surface(std::size_t cells, Result& r) {
+  if (cells <= most_drawn) return true;
+  r.notes.push_back(fmt::format("no file of the cells' faces: more than {} cells or surface points", most_drawn));
   return false;
+}
+
+void tell_mended(const Cells& cells, Result& r) {
+  if (cells.mended > 0) r.notes.push_back(fmt::format("{} cells of Voro++ were made anew", cells.mended));
 }
 
 // Root mean square of the relative difference of two sets of cells.
@@ -183,7 +187,8 @@ Result report_voronoi(const Snapshot& s, const Settings& settings) {
   Result r;
   const Container container = container_of(s);
   if (lacks_cells(s, container, r)) return r;
-  Cells cells = radical_cells(s, container, wants_surface(s, r));
+  Cells cells = radical_cells(s, container, wants_surface(s.count(), r));
+  tell_mended(cells, r);
   const std::vector<std::size_t> list = chosen(s, settings, cells, r);
   if (list.empty()) {
     r.notes.emplace_back("no cells in the region");
@@ -213,9 +218,16 @@ Result report_set_voronoi(const Snapshot& s, const Settings& settings) {
   const std::size_t points = settings.voronoi_points > 0
                                  ? static_cast<std::size_t>(std::max(16, settings.voronoi_points))
                                  : static_cast<std::size_t>(chosen_points);
-  const Cells coarse = set_voronoi_cells(s, container, points / 4),
-              middle = set_voronoi_cells(s, container, points / 2);
-  Cells cells = set_voronoi_cells(s, container, points, wants_surface(s, r));
+  // Faces are drawn of the finest cells that are not too many.
+  const auto few = [&](std::size_t n) { return n * s.count() <= most_drawn; };
+  const bool fine_drawn = few(points), middle_drawn = !fine_drawn && few(points / 2);
+  const bool coarse_drawn = !fine_drawn && !middle_drawn && wants_surface(points / 4 * s.count(), r);
+  Cells coarse = set_voronoi_cells(s, container, points / 4, coarse_drawn);
+  Cells middle = set_voronoi_cells(s, container, points / 2, middle_drawn);
+  Cells cells = set_voronoi_cells(s, container, points, fine_drawn);
+  tell_mended(cells, r);
+  if (coarse_drawn) cells.surface = std::move(coarse.surface);
+  if (middle_drawn) cells.surface = std::move(middle.surface);
   const Cells radical = radical_cells(s, container);
   std::vector<std::size_t> list;
   for (const std::size_t i : chosen(s, settings, cells, r))

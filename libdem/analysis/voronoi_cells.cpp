@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "libdem/analysis/single_cell.h"
+
 #ifdef DEM_HAS_VORO
 #include <voro++/voro++.hh>
 #endif
@@ -29,6 +31,9 @@ struct Work {
   std::vector<double> volume;  // per seed, scaled
   std::vector<std::uint32_t> neighbours;
   std::vector<Polygons> polygons;  // per block; empty: not wanted
+  // Per seed those that it has faces with, where `track`: faces that are not too small to be seen from both sides.
+  std::vector<std::vector<int>> faces;
+  bool track = false;
 };
 
 std::uint32_t owner_of(const Seeds& seeds, std::size_t i) {
@@ -64,6 +69,17 @@ void add_polygons(Work& w, std::size_t block, std::size_t seed, voro::voronoicel
   }
 }
 
+std::vector<int> faces_of(voro::voronoicell_neighbor& cell) {
+  constexpr double seen = 1e-6;  // area, of about 1
+  std::vector<int> all, large;
+  std::vector<double> areas;
+  cell.neighbors(all);
+  cell.face_areas(areas);
+  for (std::size_t f = 0; f < all.size(); ++f)
+    if (all[f] >= 0 && areas[f] > seen) large.push_back(all[f]);
+  return large;
+}
+
 // Every thread has a container of its own: computing a cell writes to it.
 template <class Container>
 void compute(Work& w) {
@@ -89,6 +105,10 @@ void compute(Work& w) {
     for (int block = 0; block < all; ++block)
       for (int q = 0; q < c.co[block]; ++q) {
         const auto seed = static_cast<std::size_t>(c.id[block][q]);
+        if (w.track) {
+          if (c.compute_cell(tracked, block, q)) w.faces[seed] = faces_of(tracked);
+          continue;
+        }
         if (w.polygons.empty() && !w.seeds.owner.empty()) {
           if (c.compute_cell(plain, block, q)) w.volume[seed] = plain.volume();
           continue;
@@ -128,6 +148,30 @@ void leave_out(const CellBox& box, const Seeds& seeds, Work& w, Cells& cells) {
     }
 }
 
+template <class Container>
+std::size_t mend(Work& w) {
+  w.track = true;
+  w.faces.resize(w.seeds.position.size());
+  compute<Container>(w);
+  const auto knows = [&](std::size_t a, int b) {
+    return std::find(w.faces[a].begin(), w.faces[a].end(), b) != w.faces[a].end();
+  };
+  std::vector<std::size_t> doubtful;
+  for (std::size_t i = 0; i < w.faces.size(); ++i)
+    for (const int j : w.faces[i])
+      if (!knows(static_cast<std::size_t>(j), static_cast<int>(i))) {
+        doubtful.push_back(i);
+        doubtful.push_back(static_cast<std::size_t>(j));
+      }
+  std::sort(doubtful.begin(), doubtful.end());
+  doubtful.erase(std::unique(doubtful.begin(), doubtful.end()), doubtful.end());
+  constexpr std::size_t most = 1000;  // each costs a look at all seeds
+  if (doubtful.size() > most) doubtful.resize(most);
+  for (const std::size_t i : doubtful)
+    w.volume[i] = single_cell_volume(w.box, w.seeds, w.left_out, i) * (w.up * w.up * w.up);
+  return doubtful.size();
+}
+
 void join(Work& w, Surface& s) {
   Column owner{"owner", "1", {}};
   for (Polygons& p : w.polygons) {
@@ -148,6 +192,7 @@ bool has_voronoi() { return true; }
 
 Cells cells_of(const CellBox& box, const Seeds& seeds, std::size_t owners, bool surface) {
   constexpr double seeds_per_block = 5.6;  // as Voro++ proposes
+  constexpr double unseen = 1e-12;         // of the box
   Cells cells;
   cells.volume.assign(owners, 0.0);
   cells.neighbours.assign(owners, 0);
@@ -155,7 +200,7 @@ Cells cells_of(const CellBox& box, const Seeds& seeds, std::size_t owners, bool 
   if (n == 0) return cells;
   const Vec3d size = box.upper - box.lower;
   const double spacing = std::cbrt(size.x * size.y * size.z / static_cast<double>(n));
-  Work w{box, seeds, std::ldexp(1.0, -std::ilogb(spacing)), {}, {}, {}, {}, {}};
+  Work w{box, seeds, std::ldexp(1.0, -std::ilogb(spacing)), {}, {}, {}, {}, {}, {}, false};
   for (std::size_t k = 0; k < 3; ++k)
     w.blocks[k] =
         static_cast<int>(std::clamp(size[static_cast<int>(k)] / (spacing * std::cbrt(seeds_per_block)), 1.0, 512.0));
@@ -165,10 +210,11 @@ Cells cells_of(const CellBox& box, const Seeds& seeds, std::size_t owners, bool 
   if (surface)
     w.polygons.resize(static_cast<std::size_t>(w.blocks[0]) * static_cast<std::size_t>(w.blocks[1]) *
                       static_cast<std::size_t>(w.blocks[2]));
-  if (seeds.radius.empty())
-    compute<voro::container>(w);
-  else
-    compute<voro::container_poly>(w);
+  const bool plain = seeds.radius.empty();
+  plain ? compute<voro::container>(w) : compute<voro::container_poly>(w);
+  const double whole = box.volume * (w.up * w.up * w.up);
+  if (std::fabs(std::accumulate(w.volume.begin(), w.volume.end(), 0.0) / whole - 1) > unseen)
+    cells.mended = plain ? mend<voro::container>(w) : mend<voro::container_poly>(w);
   for (std::size_t i = 0; i < n; ++i) {
     cells.volume[owner_of(seeds, i)] += w.volume[i] / (w.up * w.up * w.up);
     if (seeds.owner.empty()) cells.neighbours[i] = w.neighbours[i];

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "libcontact/methods/point_polyhedron.h"
+#include "libdem/analysis/single_cell.h"
 #include "libdem/analysis/surface_points.h"
 #include "libdem/analysis/voronoi.h"
 #include "tests/libdem/analysis_bodies.h"
@@ -69,6 +69,26 @@ TEST_F(AnalysisVoronoi, UnitsChangeNothing) {
   s.length *= micro;
   const Cells small = radical_cells(s, container_of(s));
   for (std::size_t i = 0; i < s.count(); ++i) EXPECT_EQ(small.volume[i], metres.volume[i] * micro * micro * micro);
+}
+
+TEST_F(AnalysisVoronoi, CellsAreThoseOfTheDefinition) {
+  for (const bool periodic : {true, false})
+    for (const bool radical : {true, false}) {
+      const Snapshot s = random_rounds(150, 0.01, 0.08, periodic, 3, 12);
+      const Container c = container_of(s);
+      const Seeds seeds{s.position, radical ? s.radius : std::vector<double>{}, {}};
+      const Cells cells = cells_of(c.box, seeds, s.count(), false);
+      for (std::size_t i = 0; i < s.count(); ++i)
+        EXPECT_NEAR(cells.volume[i], single_cell_volume(c.box, seeds, {}, i), 1e-12);
+    }
+}
+
+// In these 30000 points Voro++ 0.4.6 leaves out a cut, by which the sum would be off by 1e-7.
+TEST_F(AnalysisVoronoi, CellsThatLackACutAreMended) {
+  const Snapshot s = random_rounds(400, 0.07, 0.07, true, 3, 29);
+  const Container c = container_of(s);
+  const Cells cells = set_voronoi_cells(s, c, 75);
+  EXPECT_NEAR(sum(cells) / c.box.volume, 1, 1e-12);
 }
 
 // Points of a lattice in the box go to the body that is nearest by the definition.
@@ -149,7 +169,11 @@ TEST_F(AnalysisVoronoi, SurfacePointsLieOnTheSurfaceOfEveryShape) {
     const std::size_t n = 200;
     const SurfacePoints on(s, n);
     for (std::size_t i = 0; i < s.count(); ++i) {
-      const std::vector<Vec3d> points = on.of(i);
+      std::vector<Vec3d> points = on.of(i);
+      if (!s.shape_of(i).compound && s.shape_of(i).name != "arrow") {  // convex: the centre comes last
+        EXPECT_LT(norm(points.back() - s.position[i]), 1e-15);
+        points.pop_back();
+      }
       if (s.shape_of(i).compound)
         EXPECT_NEAR(static_cast<double>(points.size()), n, 0.1 * n) << s.shape_of(i).name;
       else
