@@ -110,6 +110,7 @@ Snapshot read_bodies_csv(const std::string& path, const ForeignOptions& options)
   s.has_velocity = rows.has({"vx", "vy", "vz"});
   const bool spin = rows.has({"wx", "wy", "wz"}), turn = rows.has({"qw", "qx", "qy", "qz"});
   const char* group = rows.find("species") ? "species" : rows.find("type") ? "type" : "material";
+  const std::optional<std::size_t> kind = rows.find(group);
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     ForeignBody b;
     b.id = rows.id(r);
@@ -118,7 +119,7 @@ Snapshot read_bodies_csv(const std::string& path, const ForeignOptions& options)
     if (spin) b.spin = rows.vector(r, "wx", "wy", "wz");
     if (turn) b.orientation = rows.turn(r);
     if (rows.find("mass")) b.mass = rows.value(r, "mass");
-    b.species = rows.find(group) ? table.rows[r][*rows.find(group)] : "bodies";
+    b.species = kind ? table.rows[r][*kind] : "bodies";
     if (axes) {
       b.semi_axes = rows.vector(r, "a", "b", "c");
     } else {

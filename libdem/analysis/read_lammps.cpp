@@ -94,7 +94,8 @@ class Columns {
 
 // What the columns of a frame mean.
 struct Meaning {
-  Columns::Three place, velocity, spin, shape;
+  std::array<std::size_t, 3> place{};
+  Columns::Three velocity, spin, shape;
   Columns::Four turn;
   std::optional<std::size_t> id, type, radius, diameter, mass;
   std::vector<std::size_t> blockiness;
@@ -106,11 +107,14 @@ Meaning meaning_of(const Columns& c, const Lines& at) {
   Meaning m;
   const std::array<std::array<const char*, 3>, 4> places{
       {{"x", "y", "z"}, {"xu", "yu", "zu"}, {"xs", "ys", "zs"}, {"xsu", "ysu", "zsu"}}};
-  for (std::size_t k = 0; k < places.size() && !m.place; ++k) {
-    m.place = c.all<3>(places[k]);
+  bool found = false;
+  for (std::size_t k = 0; k < places.size() && !found; ++k) {
+    const Columns::Three columns = c.all<3>(places[k]);
+    found = columns.has_value();
+    m.place = columns.value_or(m.place);
     m.scaled = k >= 2;
   }
-  if (!m.place) at.fault("no places of bodies: allowed x y z, xu yu zu, xs ys zs, or xsu ysu zsu");
+  if (!found) at.fault("no places of bodies: allowed x y z, xu yu zu, xs ys zs, or xsu ysu zsu");
   m.velocity = c.all<3>({"vx", "vy", "vz"});
   m.spin = c.all<3>({"omegax", "omegay", "omegaz"});
   m.shape = c.all<3>({"shapex", "shapey", "shapez"});
@@ -170,7 +174,7 @@ ForeignBody read_body(const Meaning& m, const Box& box, const std::vector<std::s
   ForeignBody b;
   b.id = m.id ? lines.number<std::uint64_t>(words[*m.id]) : row;
   b.species = m.type ? "type " + std::string(words[*m.type]) : "bodies";
-  b.position = vector(*m.place);
+  b.position = vector(m.place);
   if (m.scaled) b.position = box.lower + scaled(b.position, box.upper - box.lower);
   if (m.velocity) b.velocity = vector(*m.velocity);
   if (m.spin) b.spin = vector(*m.spin);

@@ -109,7 +109,7 @@ MeanOverTime ScalarSeries::mean() const {
   return mean_over_time(std::span(all).subspan(steady_part(all).from));
 }
 
-Writer::Writer(std::string folder, std::string source, std::vector<const Quantity*> quantities, bool single)
+Writer::Writer(std::string folder, std::string source, const std::vector<const Quantity*>& quantities, bool single)
     : folder_(std::move(folder)), source_(std::move(source)), single_(single) {
   for (const Quantity* q : quantities) series_.push_back({q, {}, {}, {}});
 }

@@ -57,7 +57,7 @@ struct QuantitySeries {
 class Writer {
  public:
   // `source`: what is analysed, for the reader. Of a single frame names carry no step.
-  Writer(std::string folder, std::string source, std::vector<const Quantity*> quantities, bool single);
+  Writer(std::string folder, std::string source, const std::vector<const Quantity*>& quantities, bool single);
   // Frame by frame: its place in the source and what it is, then its results, in the order of the quantities.
   void begin_frame(std::size_t frame, const Snapshot& snapshot);
   void add(const Quantity& quantity, const Result& result);

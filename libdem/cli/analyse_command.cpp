@@ -92,7 +92,8 @@ std::string text_of(const analysis::ScalarSeries& s, const std::vector<double>& 
   }
   const analysis::MeanOverTime m = s.mean();
   const analysis::SteadyPart steady = s.steady();
-  std::string text = with_unit(m.mean, s.unit) + fmt::format(" ± {}{:.2g}", m.settled ? "" : ">= ", *m.error);
+  std::string text =
+      with_unit(m.mean, s.unit) + fmt::format(" ± {}{:.2g}", m.settled ? "" : ">= ", m.error.value_or(0));
   if (steady.steady && values.size() == times.size())
     text += fmt::format("  steady from t = {:.6g} s", times[steady.from]);
   else
@@ -139,14 +140,16 @@ int analyse_command(const AnalyseArguments& a) {
   WorkProgress progress(list.size() * what.size(), a.quiet);
   std::size_t done = 0;
   for (std::size_t f = 0; f < list.size(); ++f) {
-    if (f > 0) now = frames.read(list[f]);
+    if (f > 0) {
+      before = std::move(now);
+      now = frames.read(list[f]);
+    }
     settings.before = f > 0 ? &before : nullptr;
     writer.begin_frame(list[f], now);
     for (const Quantity* q : what) {
       progress.show(done++, fmt::format("frame {} of {}: {}", f + 1, list.size(), q->name));
       writer.add(*q, result_of(*q, now, settings));
     }
-    before = std::move(now);
   }
   writer.finish();
   progress.end();

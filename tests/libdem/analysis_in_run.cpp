@@ -122,7 +122,7 @@ TEST(AnalysisInRun, SettingsOfAScene) {
   spec.split = "size";
   EXPECT_EQ(quantities_of(spec).size(), quantities().size());
   EXPECT_EQ(settings_of(spec).boxes, (std::array<int, 3>{1, 0, 3}));
-  EXPECT_EQ(settings_of(spec).region->upper, (Vec3d{1, 2, 3}));
+  EXPECT_EQ(settings_of(spec).region.value_or(Domain{}).upper, (Vec3d{1, 2, 3}));
   EXPECT_EQ(settings_of(spec).split, "size");
 }
 

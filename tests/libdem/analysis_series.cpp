@@ -61,7 +61,7 @@ TEST(AnalysisSeries, ShortSeriesAreNotDecided) {
   EXPECT_EQ(mean_over_time(std::vector<double>{3}).mean, 3);
   const MeanOverTime two = mean_over_time(std::vector<double>{1, 3});
   EXPECT_EQ(two.mean, 2);
-  EXPECT_NEAR(*two.error, 1, 1e-15);
+  EXPECT_NEAR(two.error.value_or(0), 1, 1e-15);
   EXPECT_FALSE(two.settled);
 }
 

@@ -133,7 +133,7 @@ TEST(AnalysisStress, ColumnUnderItsWeight) {
 TEST(AnalysisStress, OfAPeriodicCellAndItsBoxes) {
   const World world = scenes::run(scenes::every_shape_in_a_cell(150), 250);
   const Snapshot s = snapshot_of(world);
-  Mat3d expected = cell_stress(world), mean;
+  Mat3d expected = cell_stress(world);
   Vec3d momentum{};
   double mass = 0;
   for (std::size_t i = 0; i < s.count(); ++i) {
