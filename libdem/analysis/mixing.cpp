@@ -80,7 +80,7 @@ Result report_mixing(const Snapshot& s, const Settings& settings) {
   r.add("variance_segregated", "1", m.all.segregated);
   r.add("variance_random", "1", m.all.random);
   r.add("variance_random_exact", "1", m.all.random_exact);
-  r.add("segregation_intensity", "1", *m.all.intensity());
+  r.add("segregation_intensity", "1", m.all.intensity().value_or(0));
   if (const auto lacey = m.all.lacey())
     r.add("lacey", "1", *lacey);
   else
@@ -96,7 +96,7 @@ Result report_mixing(const Snapshot& s, const Settings& settings) {
   for (std::size_t g = 0; g < m.groups.size(); ++g) {
     const MixingOfGroup& x = m.groups[g];
     add_row(t, g, x.share, x.variance, x.segregated, x.random, x.rsd().value_or(0), x.intensity().value_or(0));
-    if (g == 0 && x.rsd()) r.add("rsd_group_0", "1", *x.rsd());
+    if (g == 0) r.add("rsd_group_0", "1", x.rsd().value_or(0));
   }
   r.tables.push_back(std::move(t));
   return r;

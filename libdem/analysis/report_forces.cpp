@@ -129,7 +129,8 @@ void add_network(Result& r, const Snapshot& s, const Pairs& pairs, const ForceNe
     const auto axis = static_cast<std::size_t>(k);
     const std::string name{"xyz"[k]};
     r.add("percolates_" + name, "1", network.percolates[axis] ? 1 : 0);
-    if (network.critical[axis]) r.add("critical_force_" + name, "1", *network.critical[axis] / network.mean);
+    const std::optional<double> critical = network.critical[axis];
+    if (critical) r.add("critical_force_" + name, "1", *critical / network.mean);
   }
   r.notes.emplace_back(
       "critical_force: the largest threshold, over the mean, at which contacts still join opposite sides (periodic: a "

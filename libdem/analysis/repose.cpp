@@ -177,7 +177,7 @@ Result report_repose(const Snapshot& s, const Settings& settings) {
   const Repose found = repose_of(f);
   r.add("height", "m", found.height);
   r.add("sides", "1", static_cast<double>(found.slopes.size()));
-  if (found.angle) r.scalars.push_back({"angle_of_repose", "degree", *found.angle * 180 / pi, *found.error * 180 / pi});
+  if (found.angle) r.scalars.push_back({"angle_of_repose", "degree", *found.angle * 180 / pi, found.error * 180 / pi});
   r.notes.push_back(fmt::format(
       "angle of repose: least squares over surface squares {:.4g} m wide between 20 and 80 % of the height, mean of {} "
       "of {} sides; error from the fits and the scatter of the sides",

@@ -42,10 +42,11 @@ struct Slope {
   std::size_t points = 0;
 };
 struct Repose {
-  std::vector<Slope> slopes;           // of the sides that have one
-  std::size_t sides = 0;               // looked at
-  double height = 0;                   // H, m
-  std::optional<double> angle, error;  // rad
+  std::vector<Slope> slopes;    // of the sides that have one
+  std::size_t sides = 0;        // looked at
+  double height = 0;            // H, m
+  std::optional<double> angle;  // rad
+  double error = 0;             // rad
 };
 Repose repose_of(const FreeSurface& surface);
 

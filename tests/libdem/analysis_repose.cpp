@@ -40,9 +40,9 @@ void expect_angle(const Snapshot& s, double angle, double within, std::size_t si
   ASSERT_TRUE(found.angle);
   EXPECT_EQ(found.slopes.size(), sides);
   EXPECT_NEAR(*found.angle / degree, angle, within);
-  EXPECT_NEAR(*found.angle, angle * degree, 3 * *found.error + 0.2 * degree);
-  EXPECT_GT(*found.error, 0);
-  EXPECT_LT(*found.error / degree, 2);
+  EXPECT_NEAR(*found.angle, angle * degree, 3 * found.error + 0.2 * degree);
+  EXPECT_GT(found.error, 0);
+  EXPECT_LT(found.error / degree, 2);
 }
 
 TEST(AnalysisRepose, HeapsOfTheirOwnAngle) {
