@@ -163,14 +163,17 @@ void Writer::add(const Quantity& quantity, const Result& result) {
     known->files.push_back(file(name + ".csv", csv_of(t)));
   }
   for (const Surface& x : result.surfaces) {
-    std::string name = quantity.name + ("_" + x.name);
-    if (!single_) name += fmt::format("_{:012}", step);
+    if (!single_) {
+      add_note(series, "surface " + x.name + ": written where one frame alone is analysed", step);
+      continue;
+    }
     io::Vtp vtp;
     vtp.set_points(x.points, false);
     vtp.set_cells(io::Vtp::Cells::polygons, x.corners, x.ends);
     for (const Column& c : x.columns) vtp.add_cell_array(c.name, 1, c.values);
-    vtp.write((fs::path(folder_) / (name + ".vtp")).string());
-    files_.push_back(name + ".vtp");
+    const std::string name = std::string(quantity.name) + "_" + x.name + ".vtp";
+    vtp.write((fs::path(folder_) / name).string());
+    files_.push_back(name);
   }
 }
 

@@ -3,11 +3,15 @@
 
 #include <cmath>
 
+#include "libdem/analysis/quantities.h"
 #include "libdem/analysis/single_cell.h"
 #include "libdem/analysis/surface_points.h"
 #include "libdem/analysis/voronoi.h"
+#include "libdem/analysis/write.h"
 #include "tests/libdem/analysis_bodies.h"
 #include "tests/libdem/analysis_lattices.h"
+#include "tests/libdem/io_world.h"
+#include "tests/libdem/vtk_read.h"
 
 namespace dem::analysis {
 namespace {
@@ -236,6 +240,23 @@ TEST_F(AnalysisVoronoi, FacesOfCellsEncloseThem) {
     }
     for (std::size_t i = 0; i < s.count(); ++i) EXPECT_NEAR(volume[i] / cells.volume[i], 1, 1e-9);
   }
+}
+
+TEST_F(AnalysisVoronoi, FacesAreReadByVtk) {
+  const Snapshot s = lattice_of(lattices()[0], {2, 2, 2}, {0.5, 0.5, 0.5});
+  const io_test::Folder folder("voronoi_faces");
+  const Quantity* voronoi = find_quantity("voronoi");
+  Writer writer(folder.path(), "a lattice", {voronoi}, true);
+  writer.begin_frame(0, s);
+  writer.add(*voronoi, voronoi->of(s, {}));
+  int code = 0;
+  const nlohmann::json file = io_test::read_with_vtk(folder / "voronoi_cells.vtp", code);
+  if (code == io_test::no_vtk) GTEST_SKIP() << "VTK for Python is not installed";
+  ASSERT_EQ(code, 0);
+  EXPECT_EQ(file["polys"], 8 * 6);
+  for (const auto& size : file["cell_sizes"]) EXPECT_EQ(size, 4);
+  for (const auto& volume : file["cell_data"]["cell_volume"]) EXPECT_NEAR(volume[0].get<double>(), 1, 1e-12);
+  for (const char* name : {"particle", "local_density"}) EXPECT_EQ(file["cell_data"][name].size(), 48u);
 }
 
 TEST_F(AnalysisVoronoi, ReportOfEveryShape) {
