@@ -170,14 +170,25 @@ std::vector<BoxShare> BoxShares::on(const Grid& grid) const {
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t c = 0; c < chunks; ++c)
     for (std::size_t i = c * chunk; i < std::min(s_.count(), (c + 1) * chunk); ++i) {
+      const auto add = [&](std::size_t place, double volume) {
+        if (volume > 0) found[c].push_back({static_cast<std::uint32_t>(i), place, volume});
+      };
+      const auto whole = [&](const Grid::Box& body, const Vec3d& shift, const Grid::Box& box) {
+        bool in = true;
+        for (int k = 0; k < s_.dimension; ++k)
+          in = in && body.lower[k] + shift[k] >= box.lower[k] && body.upper[k] + shift[k] <= box.upper[k];
+        return in;
+      };
+      const Vec3d reach{s_.bounding_radius[i], s_.bounding_radius[i], s_.bounding_radius[i]};
+      const std::size_t here = grid.index(s_.position[i]);
+      if (here != Grid::none && whole({s_.position[i] - reach, s_.position[i] + reach}, {}, grid.box(here))) {
+        add(here, s_.volume[i]);
+        continue;
+      }
       const Grid::Box body = bounds(i);
       grid.each_touched(body.lower, body.upper, [&](std::size_t place, const Vec3d& shift) {
         const Grid::Box box = grid.box(place);
-        bool whole = true;
-        for (int k = 0; k < s_.dimension; ++k)
-          whole = whole && body.lower[k] + shift[k] >= box.lower[k] && body.upper[k] + shift[k] <= box.upper[k];
-        const double volume = whole ? s_.volume[i] : in_box(i, shift, box);
-        if (volume > 0) found[c].push_back({static_cast<std::uint32_t>(i), place, volume});
+        add(place, whole(body, shift, box) ? s_.volume[i] : in_box(i, shift, box));
       });
     }
   std::vector<BoxShare> all;

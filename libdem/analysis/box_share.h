@@ -8,8 +8,9 @@
 // the plane it is area times thickness. Bodies that overlap count both. Accuracy: 1e-12 of the body, but for rounded
 // polyhedra whose edges lie within 1e-6 of a face's direction without being parallel (1e-8), and bodies of parts in
 // which ellipsoids overlap round parts: their overlap counts for both parts, the whole scaled to the volume of the body
-// (`notes` says so). Cost: nothing but a comparison for a body in one box; cut ones 0.1–0.5 us a sphere and box, 3 us
-// an ellipsoid, 2 us a cube, more with the number of pieces. Tests: tests/libdem/analysis_box_share.cpp.
+// (`notes` says so). Cost: nothing but a comparison for a body in one box; cut ones per box
+// 0.1 us a sphere, 1.5 us an ellipsoid, 1 us a cube, 10 to 20 us a rounded or potential cube. Tests:
+// tests/libdem/analysis_box_share.cpp.
 #pragma once
 
 #include <span>

@@ -23,9 +23,11 @@ Inside inside_of(double square, double s1, double s2) {
 // (1) for R = 1: outside of the ball; d >= 0.
 double cone_outside(double h, double d, double s1, double s2) {
   if (!(s2 > s1)) return 0;
-  const double theta = std::atan2(s2, d) - std::atan2(s1, d);
-  const auto angle = [&](double s) { return std::atan2(h * s, d * std::sqrt(h * h + d * d + s * s)); };
-  const double psi = angle(s2) - angle(s1);
+  // Differences of two angles, each as one.
+  const double square = h * h + d * d;
+  const double x1 = d * std::sqrt(square + s1 * s1), x2 = d * std::sqrt(square + s2 * s2), y1 = h * s1, y2 = h * s2;
+  const double theta = std::atan2(d * (s2 - s1), d * d + s1 * s2);
+  const double psi = std::atan2(y2 * x1 - y1 * x2, x1 * x2 + y1 * y2);
   if (h >= 1) return (theta - psi) / 3;
   if (h <= -1) return (-theta - psi) / 3;
   return theta * h * (3 - h * h) / 6 - psi / 3;
@@ -119,12 +121,13 @@ void CutSolid::cut(const Vec3d& normal, double offset) {
   kept.corners_.reserve(corners_.size() + 8);
   kept.faces_.reserve(faces_.size() + 1);
   std::vector<CapEdge> cap;
-  std::vector<Vec3d> loop;
+  // Corners where a loop leaves and comes back; the first to come back may stand before the first to leave.
+  std::vector<Vec3d> loop, leave, enter;
   for (const Face& f : faces_) {
     loop.clear();
+    leave.clear();
+    enter.clear();
     const std::span<const Vec3d> c = corners(f);
-    // Corners where the loop leaves and comes back; the first to come back may stand before the first to leave.
-    std::vector<Vec3d> leave, enter;
     bool enter_first = false;
     for (std::size_t i = 0; i < c.size(); ++i) {
       const Vec3d &a = c[i], &b = c[i + 1 == c.size() ? 0 : i + 1];

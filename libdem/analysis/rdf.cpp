@@ -39,8 +39,10 @@ Sorted sorted_into_cells(const Snapshot& s, const Domain& region, const std::vec
   const Grid grid(s, region, out.cells);
   std::vector<std::size_t> at(s.count());
   out.start.assign(grid.size() + 1, 0);
-  for (std::size_t i = 0; i < s.count(); ++i)
-    if ((at[i] = grid.index(s.position[i])) != Grid::none) ++out.start[at[i] + 1];
+  for (std::size_t i = 0; i < s.count(); ++i) {
+    at[i] = grid.index(s.position[i]);
+    if (at[i] != Grid::none) ++out.start[at[i] + 1];
+  }
   for (std::size_t c = 0; c < grid.size(); ++c) out.start[c + 1] += out.start[c];
   out.position.resize(out.start.back());
   out.group.resize(out.start.back());

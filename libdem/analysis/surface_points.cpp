@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <numbers>
 #include <stdexcept>
 
@@ -64,6 +66,42 @@ std::vector<Vec3d> spread(const std::vector<Triangle>& triangles, std::size_t co
       points.push_back(t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]));
     }
   }
+  return points;
+}
+
+// `count` of many points, evenly: each the farthest from those before, then three times the one in the middle of what
+// is nearest to it.
+std::vector<Vec3d> evenly(const std::vector<Vec3d>& many, std::size_t count) {
+  if (many.size() <= count) return many;
+  std::vector<std::size_t> chosen{0};
+  std::vector<double> square(many.size(), std::numeric_limits<double>::infinity());
+  std::vector<std::size_t> nearest(many.size());
+  const auto add = [&](std::size_t k, const Vec3d& x) {
+    for (std::size_t i = 0; i < many.size(); ++i) {
+      const Vec3d d = many[i] - x;
+      if (dot(d, d) < square[i]) square[i] = dot(d, d), nearest[i] = k;
+    }
+  };
+  add(0, many[0]);
+  while (chosen.size() < count) {
+    const auto farthest = static_cast<std::size_t>(std::max_element(square.begin(), square.end()) - square.begin());
+    add(chosen.size(), many[farthest]);
+    chosen.push_back(farthest);
+  }
+  for (int round = 0; round < 3; ++round) {
+    std::vector<Vec3d> sum(count);
+    std::vector<double> number(count), best(count, std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < many.size(); ++i) sum[nearest[i]] += many[i], ++number[nearest[i]];
+    for (std::size_t i = 0; i < many.size(); ++i) {
+      const std::size_t k = nearest[i];
+      const Vec3d d = many[i] - sum[k] * (1 / number[k]);
+      if (dot(d, d) < best[k]) best[k] = dot(d, d), chosen[k] = i;
+    }
+    square.assign(many.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t k = 0; k < count; ++k) add(k, many[chosen[k]]);
+  }
+  std::vector<Vec3d> points;
+  for (const std::size_t i : chosen) points.push_back(many[i]);
   return points;
 }
 
@@ -130,32 +168,22 @@ std::vector<Vec3d> on_part(const Compound::Part& part, std::size_t count) {
   return points;
 }
 
-// Shares by what is left of each part, so that the spacing is one: found from a trial.
 std::vector<Vec3d> on_compound(const Compound& body, std::size_t count) {
-  constexpr std::size_t trial = 400;
-  const auto seen = [&](std::size_t part, std::size_t tries) {
-    std::vector<Vec3d> left;
-    for (const Vec3d& x : on_part(body.parts[part], tries)) {
-      bool hidden = false;
-      for (std::size_t q = 0; q < body.parts.size() && !hidden; ++q) hidden = q != part && inside(body.parts[q], x);
-      if (!hidden) left.push_back(x);
-    }
-    return left;
-  };
   std::vector<double> areas;
-  double shown = 0;
-  for (std::size_t p = 0; p < body.parts.size(); ++p) {
-    const Compound::Part& part = body.parts[p];
+  double whole = 0;
+  for (const Compound::Part& part : body.parts) {
     const double r = std::cbrt(part.size.x * part.size.y * part.size.z);
     areas.push_back(part.solid ? area_of(triangles_of(*part.solid)) : 4 * std::numbers::pi * r * r);
-    shown += areas.back() * static_cast<double>(seen(p, trial).size()) / trial;
+    whole += areas.back();
   }
   std::vector<Vec3d> points;
-  for (std::size_t p = 0; p < body.parts.size(); ++p) {
-    const auto tries = static_cast<std::size_t>(std::lround(areas[p] / shown * static_cast<double>(count)));
-    const std::vector<Vec3d> own = seen(p, tries);
-    points.insert(points.end(), own.begin(), own.end());
-  }
+  for (std::size_t p = 0; p < body.parts.size(); ++p)
+    for (const Vec3d& x :
+         on_part(body.parts[p], static_cast<std::size_t>(std::lround(areas[p] / whole * static_cast<double>(count))))) {
+      bool hidden = false;
+      for (std::size_t q = 0; q < body.parts.size() && !hidden; ++q) hidden = q != p && inside(body.parts[q], x);
+      if (!hidden) points.push_back(x);
+    }
   return points;
 }
 
@@ -187,43 +215,50 @@ std::vector<Vec3d> on_ellipse(double a, double b, std::size_t count) {
   return points;
 }
 
+// In the body frame at scale 1.
+std::vector<Vec3d> points_on(const ShapeEntry& shape, std::size_t count) {
+  const Vec3d& a = shape.size;
+  const std::size_t many = 20 * count;
+  switch (shape.kind) {
+    case Kind::sphere:
+      return on_unit_sphere(count);
+    case Kind::ellipsoid:
+      return evenly(on_ellipsoid(a, many), count);
+    case Kind::polyhedron:
+      return evenly(spread(triangles_of(*shape.polyhedron), many), count);
+    case Kind::rounded_polyhedron:
+      return evenly(on_rounded(shape, many), count);
+    case Kind::potential_particle:
+      return evenly(on_potential(shape, many), count);
+    case Kind::compound:
+      return evenly(on_compound(*shape.compound, 2 * many), count);
+    case Kind::disc:
+      return on_ellipse(1, 1, count);
+    case Kind::ellipse:
+      return on_ellipse(a.x, a.y, count);
+    case Kind::polygon:
+      return along(shape.polygon->vertices, count);
+    default:
+      throw std::logic_error("SurfacePoints: a body of the kind of a wall");
+  }
+}
+
 }  // namespace
 
 SurfacePoints::SurfacePoints(const Snapshot& snapshot, std::size_t count) : s_(snapshot) {
-  for (const ShapeEntry& shape : s_.shapes) {
-    const Vec3d& a = shape.size;
-    switch (shape.kind) {
-      case Kind::sphere:
-        of_shape_.push_back(on_unit_sphere(count));
-        break;
-      case Kind::ellipsoid:
-        of_shape_.push_back(on_ellipsoid(a, count));
-        break;
-      case Kind::polyhedron:
-        of_shape_.push_back(spread(triangles_of(*shape.polyhedron), count));
-        break;
-      case Kind::rounded_polyhedron:
-        of_shape_.push_back(on_rounded(shape, count));
-        break;
-      case Kind::potential_particle:
-        of_shape_.push_back(on_potential(shape, count));
-        break;
-      case Kind::compound:
-        of_shape_.push_back(on_compound(*shape.compound, count));
-        break;
-      case Kind::disc:
-        of_shape_.push_back(on_ellipse(1, 1, count));
-        break;
-      case Kind::ellipse:
-        of_shape_.push_back(on_ellipse(a.x, a.y, count));
-        break;
-      case Kind::polygon:
-        of_shape_.push_back(along(shape.polygon->vertices, count));
-        break;
-      default:
-        throw std::logic_error("SurfacePoints: a body of the kind of a wall");
-    }
-    if (!shape.compound && !(shape.polygon && !shape.polygon->convex)) of_shape_.back().push_back({});
+  const double power = s_.dimension - 1;
+  double mean = 0;
+  for (const double r : s_.radius) mean += std::pow(r, power) / static_cast<double>(s_.count());
+  std::map<std::pair<std::uint32_t, int>, std::uint32_t> known;
+  for (std::size_t i = 0; i < s_.count(); ++i) {
+    const int step = static_cast<int>(std::lround(2 * std::log2(std::pow(s_.radius[i], power) / mean)));
+    const auto [at, fresh] = known.try_emplace({s_.shape[i], step}, static_cast<std::uint32_t>(sets_.size()));
+    set_.push_back(at->second);
+    if (!fresh) continue;
+    const double own = static_cast<double>(count) * std::exp2(0.5 * step);
+    const ShapeEntry& shape = s_.shape_of(i);
+    sets_.push_back(points_on(shape, static_cast<std::size_t>(std::clamp(std::round(own), 8.0, 20000.0))));
+    if (!shape.compound && !(shape.polygon && !shape.polygon->convex)) sets_.back().push_back({});
   }
 }
 
@@ -232,7 +267,7 @@ std::vector<Vec3d> SurfacePoints::of(std::size_t i) const {
   double scale = s_.size[i].x;
   if (shape.kind == Kind::ellipsoid || shape.kind == Kind::ellipse) scale /= shape.size.x;
   const Mat3d turn = rotation_matrix(s_.orientation[i]);
-  std::vector<Vec3d> points = of_shape_[s_.shape[i]];
+  std::vector<Vec3d> points = sets_[set_[i]];
   for (Vec3d& x : points) x = s_.position[i] + turn * (scale * x);
   return points;
 }

@@ -167,6 +167,10 @@ void Writer::add(const Quantity& quantity, const Result& result) {
     write_table(series, t, name + ".csv");
   }
   for (const Surface& x : result.surfaces) {
+    if (!single_ && !x.lines) {
+      add_note(series, "surface " + x.name + ": written where one frame alone is analysed", step);
+      continue;
+    }
     std::string name = quantity.name + ("_" + x.name);
     if (!single_) name += fmt::format("_{:012}", step);
     write_surface(x, (fs::path(folder_) / (name + ".vtp")).string());

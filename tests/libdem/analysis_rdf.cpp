@@ -110,9 +110,9 @@ TEST(AnalysisRdf, SharesOfShellsAreThoseOfPoints) {
 TEST(AnalysisRdf, NoBiasAtBoundariesOfRandomPoints) {
   // Independent points: g = 1 − 1/N everywhere; uncorrected it would be 0.4 at the far end.
   double sum = 0, squares = 0;
-  const int sets = 12;
-  for (int k = 0; k < sets; ++k) {
-    const Snapshot s = random_rounds(500, 0, 0, false, 3, static_cast<std::uint64_t>(k + 1));
+  constexpr std::uint64_t sets = 12;
+  for (std::uint64_t k = 0; k < sets; ++k) {
+    const Snapshot s = random_rounds(500, 0, 0, false, 3, k + 1);
     const Rdf rdf = rdf_of(s, by_species(s), unit_box(s), 0.6, 3);
     const double g = rdf.pairs[0].g[2] / (1 - 1.0 / 500);
     sum += g / sets;

@@ -3,11 +3,15 @@
 
 #include <cmath>
 
+#include "libdem/analysis/quantities.h"
 #include "libdem/analysis/single_cell.h"
 #include "libdem/analysis/surface_points.h"
 #include "libdem/analysis/voronoi.h"
+#include "libdem/analysis/write.h"
 #include "tests/libdem/analysis_bodies.h"
 #include "tests/libdem/analysis_lattices.h"
+#include "tests/libdem/io_world.h"
+#include "tests/libdem/vtk_read.h"
 
 namespace dem::analysis {
 namespace {
@@ -89,6 +93,8 @@ TEST_F(AnalysisVoronoi, CellsThatLackACutAreMended) {
   const Container c = container_of(s);
   const Cells cells = set_voronoi_cells(s, c, 75);
   EXPECT_NEAR(sum(cells) / c.box.volume, 1, 1e-12);
+  EXPECT_LT(cells.mended, 100u);
+  RecordProperty("mended", static_cast<int>(cells.mended));
 }
 
 // Points of a lattice in the box go to the body that is nearest by the definition.
@@ -166,18 +172,30 @@ TEST_F(AnalysisVoronoi, SurfacePointsLieOnTheSurfaceOfEveryShape) {
   std::size_t symmetric = 0;
   for (const Snapshot& s : {scenes::scattered(scenes::shapes_of_space(symmetric), 3, 1, 0.1),
                             scenes::scattered(scenes::shapes_of_the_plane(), 2, 1, 0.1)}) {
-    const std::size_t n = 200;
-    const SurfacePoints on(s, n);
+    const double n = 200;
+    const SurfacePoints on(s, 200);
+    double mean = 0;
+    for (const double r : s.radius) mean += std::pow(r, s.dimension - 1) / static_cast<double>(s.count());
     for (std::size_t i = 0; i < s.count(); ++i) {
       std::vector<Vec3d> points = on.of(i);
       if (!s.shape_of(i).compound && s.shape_of(i).name != "arrow") {  // convex: the centre comes last
         EXPECT_LT(norm(points.back() - s.position[i]), 1e-15);
         points.pop_back();
       }
-      if (s.shape_of(i).compound)
-        EXPECT_NEAR(static_cast<double>(points.size()), n, 0.1 * n) << s.shape_of(i).name;
-      else
-        EXPECT_EQ(points.size(), n) << s.shape_of(i).name;
+      // As many as give one spacing on all bodies, within a half power of two; evenly.
+      const double power = s.dimension - 1, expected = n * std::pow(s.radius[i], power) / mean;
+      EXPECT_NEAR(std::log2(static_cast<double>(points.size()) / expected), 0, 0.3) << s.shape_of(i).name;
+      double total = 0, least = 1e300;
+      for (const Vec3d& x : points) {
+        double nearest = 1e300;
+        for (const Vec3d& y : points)
+          if (!(x == y)) nearest = std::min(nearest, norm(x - y));
+        total += nearest;
+        least = std::min(least, nearest);
+      }
+      if (s.dimension == 3) {  // of the plane the two sides of a tip are near
+        EXPECT_GT(least, 0.5 * total / static_cast<double>(points.size())) << s.shape_of(i).name;
+      }
       const Mat3d turn = rotation_matrix(s.orientation[i]);
       const bool scaled_shape = s.shape_of(i).kind != shapes::Kind::ellipsoid && !is_round(s.shape_of(i).kind) &&
                                 s.shape_of(i).kind != shapes::Kind::ellipse;
@@ -236,6 +254,23 @@ TEST_F(AnalysisVoronoi, FacesOfCellsEncloseThem) {
     }
     for (std::size_t i = 0; i < s.count(); ++i) EXPECT_NEAR(volume[i] / cells.volume[i], 1, 1e-9);
   }
+}
+
+TEST_F(AnalysisVoronoi, FacesAreReadByVtk) {
+  const Snapshot s = lattice_of(lattices()[0], {2, 2, 2}, {0.5, 0.5, 0.5});
+  const io_test::Folder folder("voronoi_faces");
+  const Quantity* voronoi = find_quantity("voronoi");
+  Writer writer(folder.path(), "a lattice", {voronoi}, true);
+  writer.begin_frame(0, s);
+  writer.add(*voronoi, voronoi->of(s, {}));
+  int code = 0;
+  const nlohmann::json file = io_test::read_with_vtk(folder / "voronoi_cells.vtp", code);
+  if (code == io_test::no_vtk) GTEST_SKIP() << "VTK for Python is not installed";
+  ASSERT_EQ(code, 0);
+  EXPECT_EQ(file["polys"], 8 * 6);
+  for (const auto& size : file["cell_sizes"]) EXPECT_EQ(size, 4);
+  for (const auto& volume : file["cell_data"]["cell_volume"]) EXPECT_NEAR(volume[0].get<double>(), 1, 1e-12);
+  for (const char* name : {"particle", "local_density"}) EXPECT_EQ(file["cell_data"][name].size(), 48u);
 }
 
 TEST_F(AnalysisVoronoi, ReportOfEveryShape) {

@@ -10,24 +10,14 @@
 
 #include "libdem/io/io.h"
 #include "tests/libdem/io_world.h"
+#include "tests/libdem/vtk_read.h"
 
 namespace {
 
 using dem::io_test::Folder;
+using dem::io_test::no_vtk;
+using dem::io_test::read_with_vtk;
 using Json = nlohmann::json;
-
-constexpr int no_vtk = 77;
-
-// What tests/vtk_reader.py says of a file; the exit code goes to `code`.
-Json read_with_vtk(const std::string& file, int& code) {
-  const std::string command = "/usr/bin/python3 '" PROJECT_ROOT "/tests/vtk_reader.py' '" + file + "'";
-  FILE* pipe = popen(command.c_str(), "r");
-  std::string text;
-  char chunk[4096];
-  while (const std::size_t n = std::fread(chunk, 1, sizeof chunk, pipe)) text.append(chunk, n);
-  code = WEXITSTATUS(pclose(pipe));
-  return code == 0 ? Json::parse(text) : Json();
-}
 
 std::string text_of(const std::string& path) {
   std::stringstream text;
