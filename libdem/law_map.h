@@ -81,7 +81,8 @@ inline double law_radius(const World& world, shapes::Kind kind, const Vec3d& siz
 }
 inline double law_radius(const World& world, std::size_t i) {
   const Particles& p = world.particles;
-  return law_radius(world, p.kind[i], p.size[i], p.motion[i].equivalent_radius);
+  const double equivalent = p.motion[i].equivalent_radius;
+  return world.scene.law.map == LawMap::edge_radius ? law_radius(world, p.kind[i], p.size[i], equivalent) : equivalent;
 }
 
 // (3) of two bodies, or a body and a wall, whose normal is from a to b; `equivalent` is (1), and stays where both are
