@@ -28,6 +28,7 @@ constexpr Entry topics[] = {
     {"assemblies", "many contacts are stable at the bound", laws::assemblies},
     {"energy", "the energy balance of impacts", laws::energy},
     {"loops", "work over closed paths: default laws create no energy", laws::loops},
+    {"shape_loops", "work over closed paths of pose: shape pair by law by map", laws::shape_loops},
     {"cost", "nanoseconds per contact", laws::cost},
 };
 

@@ -57,6 +57,7 @@ void stability(Report&);
 void assemblies(Report&);
 void energy(Report&);
 void loops(Report&);
+void shape_loops(Report&);
 void cost(Report&);
 
 }  // namespace laws

@@ -1,0 +1,185 @@
+// Work over closed paths in the pose of two bodies, or a body and a wall, for each pair of shapes, law and map, through
+// the loop's own force pass. What contacts give back more than they were given, they have created.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <optional>
+
+#include "bench/laws/report.h"
+#include "libdem/scene/where.h"
+#include "tests/libdem/loop_laws.h"
+#include "tests/libdem/pose_loops.h"
+#include "tests/libdem/shape_samples.h"
+
+namespace laws {
+namespace {
+
+using namespace dem;
+using loops::Arena;
+using loops::Loop;
+using loops::Style;
+using loops::Variant;
+using samples::SamplePair;
+
+constexpr int coarse = 128, most_steps = 1024, most_steps_conserving = 8192;
+constexpr double duration = 2e-3;  // s, of a lap
+
+// Shifts, turns and both, small and large; rolling. Never apart, or apart once.
+constexpr Style styles[] = {{true, false, false, false, 0.02}, {false, true, false, false, 0.02},
+                            {true, true, false, true, 0.1},    {false, true, true, false, 0.3},
+                            {true, true, false, false, 0.3},   {false, true, true, true, 0.3}};
+
+std::vector<Loop> loops_of(const SamplePair& pair, std::uint64_t seed) {
+  const bool planar = pair.planar();
+  const auto law = planar ? LawName::linear_spring : LawName::hertz_mindlin;
+  Variant v = loops::variant_of(static_cast<std::size_t>(law), 0, true);
+  Arena arena(samples::scene_of(pair, v.law, v.material));
+  std::vector<Loop> list;
+  shapes::Random random(seed, 17, 0);
+  for (const Style& style : styles) {
+    Vec3d along = planar ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
+    Quatd rest;
+    if (!pair.resting.is_wall()) {
+      rest = planar ? random.turn() : random.rotation();
+      along = planar ? rotate(random.turn(), Vec3d{1, 0, 0}) : random.direction();
+    }
+    arena.rest(rest);
+    const auto path = loops::random_path(arena, along, planar, style, samples::size, random);
+    list.emplace_back(path, rest, style.parts, most_steps_conserving);
+  }
+  return list;
+}
+
+struct Cell {
+  double created = -1e300, change = 1e300;  // over the largest energy stored
+  int steps = 0;
+  std::size_t loop = 0;
+  int stopped = 0;  // loops that the force pass refused
+  bool unresolved() const { return change > 1e-10 && std::abs(created) < 4 * change; }
+  double resolution() const { return std::max(1e-10, 2 * change); }
+  bool creates() const { return created > resolution(); }
+};
+
+double created_by(Arena& arena, const Variant& v, const Loop& loop, int steps) {
+  const auto lap = loops::go_round(arena, loop, steps, loop.parts || v.conserves ? 1 : 2, duration);
+  if (!(lap.stored > 0)) return -1e300;  // they never met
+  const double share = lap.created / lap.stored;
+  return v.conserves ? std::abs(share) : share;  // backwards it is the other sign
+}
+
+// The worst of the loops, at the first step that resolves it.
+Cell measure(Arena& arena, const Variant& v, const std::vector<Loop>& list) {
+  Cell worst;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    try {
+      const double rough = created_by(arena, v, list[i], coarse), fine = created_by(arena, v, list[i], 2 * coarse);
+      // What is proven first.
+      const double change = std::abs(fine - rough), before = worst.created - 2 * worst.change;
+      const bool worse = fine - 2 * change > 0 || before > 0 ? fine - 2 * change > before : fine > worst.created;
+      if (worse) worst = {fine, change, 2 * coarse, i, worst.stopped};
+    } catch (const RunError&) {
+      ++worst.stopped;
+    }
+  }
+  const int limit = v.conserves ? most_steps_conserving : most_steps;
+  while (worst.steps > 0 && worst.unresolved() && worst.steps < limit) {
+    worst.steps *= 2;
+    const double finer = created_by(arena, v, list[worst.loop], worst.steps);
+    worst.change = std::abs(finer - worst.created);
+    worst.created = finer;
+  }
+  return worst;
+}
+
+// Shapes whose contacts have no one potential: why; null: they have.
+const char* known(const SamplePair& pair, LawMap map) {
+  for (const auto* s : {&pair.moving, &pair.resting}) {
+    if (s->kind == shapes::Kind::rounded_polyhedron && map != LawMap::curvature) return "patches of rounded faces";
+    if (s->kind == shapes::Kind::compound) return "parts that share a stiffness";
+    if (s->kind == shapes::Kind::mesh) return "facets of a mesh";
+  }
+  return nullptr;
+}
+
+struct Row {  // of a pair and a map
+  int cells = 0, creating = 0;
+  Cell worst, worst_conserving;
+  std::string law;
+};
+
+}  // namespace
+
+void shape_loops(Report& r) {
+  r.heading(
+      fmt::format("{} random loops of pose each, {} to {} steps: work of the worst lap and its gain of stored energy,",
+                  std::size(styles), coarse, most_steps));
+  r.heading("over the largest energy stored; of laws without friction and loss the larger of both senses, at up to");
+  r.heading(fmt::format("{} steps. Creates: by more than 1e-10 and twice what halving the step changes",
+                        most_steps_conserving));
+  std::ofstream csv;
+  if (r.draws()) {
+    csv.open(r.path("shape_loops.csv"));
+    csv << "moving,resting,law,map,created,change_by_halving,steps,loop,stopped,verdict,known\n";
+  }
+  int cells = 0, never = 0, told = 0, stopped = 0;
+  struct Creator {
+    double created;
+    std::string text;
+  };
+  std::vector<Creator> creators;
+  const std::vector<Variant> variants = loops::every_variant();
+  std::uint64_t seed = 0;
+  for (const SamplePair& pair : samples::every_pair()) {
+    const std::vector<Loop> list = loops_of(pair, ++seed);
+    for (const LawMap map : loops::every_map) {
+      Row row;
+      for (Variant v : variants) {
+        v.law.map = map;
+        v.law.edge_radius = map == LawMap::edge_radius ? 0.1 * samples::size : 0;
+        if (!loops::worth_measuring(map, law_model_of(v.law), pair.moving.kind, pair.resting.kind)) continue;
+        std::optional<Arena> arena;
+        try {
+          arena.emplace(samples::scene_of(pair, v.law, v.material));
+        } catch (const InputError&) {
+          continue;  // refused
+        }
+        const Cell c = measure(*arena, v, list);
+        const char* why = v.literal != nullptr ? v.literal : known(pair, map);
+        ++cells;
+        ++row.cells;
+        stopped += c.stopped;
+        if (!c.creates()) {
+          ++never;
+        } else {
+          ++row.creating;
+          if (why != nullptr) ++told;
+          creators.push_back({c.created, fmt::format("{}, {}, {}, loop {}{}", pair.name(), v.name, name_of(map), c.loop,
+                                                     why != nullptr ? fmt::format(" [{}]", why) : "")});
+        }
+        if (c.created > row.worst.created) row.worst = c, row.law = v.name;
+        if (v.conserves && c.created > row.worst_conserving.created) row.worst_conserving = c;
+        if (csv.is_open())
+          csv << fmt::format("{},{},\"{}\",{},{:.6e},{:.2e},{},{},{},{},{}\n", pair.moving.name, pair.resting.name,
+                             v.name, name_of(map), c.created, c.change, c.steps, c.loop, c.stopped,
+                             c.creates() ? "creates" : (c.unresolved() ? "none seen" : "none"),
+                             why != nullptr ? why : "");
+      }
+      if (row.cells == 0) continue;
+      r.note(
+          fmt::format("{}, {}: {} of {} create; worst {}", pair.name(), name_of(map), row.creating, row.cells, row.law),
+          fmt::format("{:.1e} ±{:.0e}; slope {:.1e} ±{:.0e}", row.worst.created, row.worst.change,
+                      row.worst_conserving.created, row.worst_conserving.change));
+    }
+  }
+  std::sort(creators.begin(), creators.end(), [](const Creator& a, const Creator& b) { return a.created > b.created; });
+  int listed = 0;
+  for (const Creator& c : creators)
+    if (listed++ < 40) r.note(c.text, c.created);
+  r.is_true(fmt::format("{} cells, {} never create, {} create as known, {} loops stopped", cells, never, told, stopped),
+            cells == never + told, "0 others", fmt::format("{} others", cells - never - told));
+}
+
+}  // namespace laws
