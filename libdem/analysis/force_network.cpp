@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "libdem/io/vtp.h"
-
 namespace dem::analysis {
 
 namespace {
@@ -103,33 +101,24 @@ std::vector<NetworkLine> network_lines(const Snapshot& s, const Pairs& pairs, co
   return lines;
 }
 
-void write_network(const std::string& path, const std::vector<NetworkLine>& lines) {
-  std::vector<Vec3d> points;
-  std::vector<std::int32_t> connectivity, ends, strong, wall;
-  std::vector<float> force, relative, tangential, width;
+Surface network_surface(const std::vector<NetworkLine>& lines) {
+  Surface x;
+  x.name = "network";
+  x.lines = true;
+  x.columns = {
+      {"force", "N", {}}, {"relative", "1", {}}, {"tangential", "N", {}}, {"strong", "1", {}}, {"wall", "1", {}}};
+  x.at_points = {{"width", "1", {}}};
   for (const NetworkLine& line : lines) {
-    for (const Vec3d& x : {line.from, line.to}) {
-      connectivity.push_back(static_cast<std::int32_t>(points.size()));
-      points.push_back(x);
-      width.push_back(static_cast<float>(std::max(line.relative, 0.0)));
+    for (const Vec3d& end : {line.from, line.to}) {
+      x.corners.push_back(static_cast<std::int32_t>(x.points.size()));
+      x.points.push_back(end);
+      x.at_points[0].values.push_back(std::max(line.relative, 0.0));
     }
-    ends.push_back(static_cast<std::int32_t>(points.size()));
-    strong.push_back(line.strong ? 1 : 0);
-    wall.push_back(line.wall ? 1 : 0);
-    force.push_back(static_cast<float>(line.force));
-    relative.push_back(static_cast<float>(line.relative));
-    tangential.push_back(static_cast<float>(line.tangential));
+    x.ends.push_back(static_cast<std::int32_t>(x.points.size()));
+    const double row[] = {line.force, line.relative, line.tangential, line.strong ? 1.0 : 0.0, line.wall ? 1.0 : 0.0};
+    for (std::size_t k = 0; k < x.columns.size(); ++k) x.columns[k].values.push_back(row[k]);
   }
-  io::Vtp file;
-  file.set_points(points, false);
-  file.set_cells(io::Vtp::Cells::lines, connectivity, ends);
-  file.add_point_array("width", 1, width);  // for filters that make tubes of lines
-  file.add_cell_array("force", 1, force);
-  file.add_cell_array("relative", 1, relative);
-  file.add_cell_array("tangential", 1, tangential);
-  file.add_cell_array("strong", 1, strong);
-  file.add_cell_array("wall", 1, wall);
-  file.write(path);
+  return x;
 }
 
 }  // namespace dem::analysis

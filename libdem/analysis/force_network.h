@@ -11,7 +11,6 @@
 
 #include <array>
 #include <optional>
-#include <string>
 
 #include "libdem/analysis/clusters.h"
 #include "libdem/analysis/pairs.h"
@@ -36,7 +35,8 @@ struct NetworkLine {
   double force = 0, relative = 0, tangential = 0;  // normal, N; over <f>; N
 };
 std::vector<NetworkLine> network_lines(const Snapshot& snapshot, const Pairs& pairs, const ForceNetwork& network);
-// A PolyData file of lines with cell and point arrays force, relative, strong, tangential: width by force.
-void write_network(const std::string& path, const std::vector<NetworkLine>& lines);
+// For pictures: per line force, relative, tangential, strong, wall; per point width, the relative force (>= 0), which
+// filters that make tubes of lines ask for.
+Surface network_surface(const std::vector<NetworkLine>& lines);
 
 }  // namespace dem::analysis

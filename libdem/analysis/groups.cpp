@@ -116,10 +116,9 @@ Groups groups_of(const Snapshot& s, const std::string& by, const Snapshot* refer
   }
   if (by == "layers") return slabs_along(s, from, upward(s), slabs, "height");
   if (by == "position") return slabs_along(s, from, upward(s), 2, "height");
-  throw InputError(
-      fmt::format("groups of bodies: '{}' is unknown; species, size, shape, material, density, position, layers, x, y "
-                  "or z",
-                  by));
+  std::string words;
+  for (const std::string& word : group_words()) words += (words.empty() ? "" : ", ") + word;
+  throw InputError(fmt::format("groups of bodies: '{}' is unknown; one of {}", by, words));
 }
 
 }  // namespace dem::analysis

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "libdem/analysis/group_words.h"
 #include "libdem/analysis/snapshot.h"
 
 namespace dem::analysis {

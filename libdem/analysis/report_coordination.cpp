@@ -101,11 +101,18 @@ void add_constraints(Result& r, Table& bodies, const Snapshot& s, const Pairs& p
   const auto np = static_cast<double>(c.bodies), nc = static_cast<double>(pairs.bodies.size());
   r.add("constraints_per_body", "1", share(total, np));
   r.add("isostatic_constraints_per_body", "1", share(2 * freedom, np));
+  const auto simple = static_cast<std::size_t>(s.dimension);  // what one flat patch can have
   const char* names[] = {"point_contacts", "edge_contacts", "face_contacts"};
-  for (std::size_t k = 0; k < 3; ++k) r.add(names[k], "1", share(kinds[k + 1], nc));
-  r.add("several_contacts", "1", share(kinds[4] + kinds[5] + kinds[6], nc));
+  double several = nc;
+  for (std::size_t k = 0; k < simple; ++k) {
+    r.add(names[k], "1", share(kinds[k + 1], nc));
+    several -= kinds[k + 1];
+  }
+  r.add("several_contacts", "1", share(several, nc));
   r.notes.emplace_back(
-      "constraints: of frictionless contacts, face 3, edge 2, point 1 (walls included); with friction they bound more");
+      s.dimension == 3
+          ? "constraints: of frictionless contacts, face 3, edge 2, point 1, several patches more; walls too"
+          : "constraints: of frictionless contacts, side 2, corner 1, several patches more; walls too");
   if (found.from_points)
     r.notes.emplace_back(
         "constraints of bodies of parts and of non-convex polygons: by the points of their records alone");
@@ -153,6 +160,9 @@ Result report_coordination(const Snapshot& s, const Settings& settings) {
       fmt::format("rattlers: removed again and again, walls count as contacts; with friction below 2 contacts, without "
                   "below {} (spheres without weight: weight replaces one contact, a flat face up to three)",
                   least));
+  if (std::any_of(pairs.bodies.begin(), pairs.bodies.end(),
+                  [](const Pair& p) { return p.tangential > 1e-9 * norm(p.force); }))
+    r.notes.emplace_back("tangential forces act: the rattlers without friction do not apply to these bodies");
   Table bodies = table_of("bodies", "Contacts of each body",
                           {{"id", "1"}, {"contacts", "1"}, {"wall_contacts", "1"}, {"rattler", "1"}});
   const Backbone held = backbone_of(s, pairs, c, 2);

@@ -19,7 +19,7 @@ constexpr double far_out = 6;          // mean forces that settings.bins bins re
 constexpr std::size_t longest = 10;    // times as many bins at most
 constexpr double no_friction = 1e-12;  // of the mean normal force
 
-double place_or_none(std::uint32_t place) { return place == Clusters::none ? -1 : place; }
+double place_or_none(std::uint32_t place) { return place == Clusters::none ? -1.0 : place; }
 
 double share(double part, std::size_t of) { return of > 0 ? part / static_cast<double>(of) : 0; }
 
@@ -190,7 +190,9 @@ Result report_forces(const Snapshot& s, const Settings& settings) {
     add_row(clusters, k, sizes.counts[k]);
   }
   r.tables.push_back(std::move(clusters));
-  r.tables.push_back(lines_table(s, network_lines(s, pairs, network), pairs, network, chains));
+  const std::vector<NetworkLine> lines = network_lines(s, pairs, network);
+  r.tables.push_back(lines_table(s, lines, pairs, network, chains));
+  r.surfaces.push_back(network_surface(lines));
   r.tables.push_back(bodies_table(s, network, chains));
   return r;
 }

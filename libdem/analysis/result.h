@@ -27,12 +27,14 @@ struct Table {        // columns of one length
   std::vector<Column> columns;
 };
 
-struct Surface {                      // polygons, for pictures
+struct Surface {                      // polygons or lines, for pictures
   std::string name;                   // the file is <quantity>_<name>.vtp
   std::vector<shapes::Vec3d> points;  // m
-  std::vector<std::int32_t> corners;  // of the polygons, one after the other: places in points
-  std::vector<std::int32_t> ends;     // polygon i has corners[ends[i − 1]] … corners[ends[i] − 1]
-  std::vector<Column> columns;        // one value per polygon
+  std::vector<std::int32_t> corners;  // of the cells, one after the other: places in points
+  std::vector<std::int32_t> ends;     // cell i has corners[ends[i − 1]] … corners[ends[i] − 1]
+  std::vector<Column> columns;        // one value per cell
+  std::vector<Column> at_points;      // one value per point
+  bool lines = false;                 // cells are lines
 };
 
 struct Result {

@@ -28,7 +28,7 @@ Running running_of(std::span<const double> values) {
 }  // namespace
 
 SteadyPart steady_part(std::span<const double> values) {
-  constexpr std::size_t least = 8, many = 50, group = 5;
+  constexpr std::size_t least = 16, many = 50, group = 5;
   SteadyPart part;
   if (values.size() < least) return part;
   part.decided = true;

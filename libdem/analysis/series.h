@@ -10,7 +10,7 @@
 //                 The first level that no later one of eight values or more exceeds by its own error counts.
 //                 H. Flyvbjerg, H. G. Petersen, J. Chem. Phys. 91 (1989) 461.
 //
-// Validity: values at equal intervals. Steady: at least 8 values; a slow drift that is small beside the scatter is not
+// Validity: values at equal intervals. Steady: at least 16 values; a slow drift that is small beside the scatter is not
 // seen. Error: a series of less than about 20 memory times gives too small a one, and says so (`settled`). Cost:
 // linear. Accuracy of the error: a quarter of it or so, for it comes from eight values at times. Tests:
 // tests/libdem/analysis_series.cpp.

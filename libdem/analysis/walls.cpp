@@ -146,7 +146,7 @@ std::vector<WallPatch> wall_map(const Snapshot& s, std::size_t place, const Doma
 Result report_walls(const Snapshot& s, const Settings& settings) {
   Result r;
   if (lacks_forces(s, r)) return r;
-  if (s.walls.empty()) r.notes.emplace_back("no walls");
+  r.notes.emplace_back(s.walls.empty() ? "no walls" : "torques of the forces alone, without couples of contacts");
   const Domain region = region_of(s, settings);
   double diameter = 0;
   for (const double radius : s.radius) diameter += 2 * radius / static_cast<double>(s.count());

@@ -7,8 +7,9 @@
 // (of a line: stretches, times the thickness) divide the box around the region as the plane's frame sees it, so that
 // those which bear nothing are there too; points beyond count with the outermost. A is the mesh's area, the polygon's
 // outline times the thickness, of planes and lines the area of all squares.
-// Means over time: walls.csv and pressure_map of a run. Cost: O(wall contacts), of meshes times the triangles per
-// facet. Accuracy: round-off. Tests: tests/libdem/analysis_walls.cpp.
+// Torques are those of the forces: couples that contacts bear (rolling, twist of a patch) are not in a snapshot, but in
+// walls.csv of a run. Means over time: walls.csv and pressure_map of a run. Cost: O(wall contacts), of meshes times the
+// triangles per facet. Accuracy: round-off. Tests: tests/libdem/analysis_walls.cpp.
 #pragma once
 
 #include "libdem/analysis/pairs.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "libdem/io/files.h"
@@ -75,17 +76,31 @@ void add_note(QuantitySeries& series, const std::string& text, std::uint64_t ste
 
 }  // namespace
 
-std::string csv_number(double value) { return std::isfinite(value) ? fmt::format("{:.17g}", value) : ""; }
+std::string csv_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
+
+void write_surface(const Surface& surface, const std::string& path) {
+  io::Vtp vtp;
+  vtp.set_points(surface.points, false);
+  vtp.set_cells(surface.lines ? io::Vtp::Cells::lines : io::Vtp::Cells::polygons, surface.corners, surface.ends);
+  for (const Column& c : surface.columns) vtp.add_cell_array(c.name, 1, c.values);
+  for (const Column& c : surface.at_points) vtp.add_point_array(c.name, 1, c.values);
+  vtp.write(path);
+}
 
 std::string csv_of(const Table& table) {
-  std::string text = heading(table.columns);
-  if (!table.title.empty()) text.insert(text.find('\n') + 1, "# " + table.title + "\n");
+  std::string head = heading(table.columns);
+  if (!table.title.empty()) head.insert(head.find('\n') + 1, "# " + table.title + "\n");
+  fmt::memory_buffer text;
+  text.append(head);
   const std::size_t rows = table.columns.empty() ? 0 : table.columns[0].values.size();
   for (std::size_t r = 0; r < rows; ++r) {
-    for (const Column& c : table.columns) text += (&c == table.columns.data() ? "" : ",") + csv_number(c.values[r]);
-    text += '\n';
+    for (const Column& c : table.columns) {
+      if (&c != table.columns.data()) text.push_back(',');
+      if (std::isfinite(c.values[r])) fmt::format_to(std::back_inserter(text), "{}", c.values[r]);
+    }
+    text.push_back('\n');
   }
-  return text;
+  return fmt::to_string(text);
 }
 
 std::vector<double> ScalarSeries::present() const {
@@ -121,10 +136,13 @@ void Writer::begin_frame(std::size_t frame, const Snapshot& s) {
     if (std::find(notes_.begin(), notes_.end(), n) == notes_.end()) notes_.push_back(n);
 }
 
+QuantitySeries& Writer::series_of(const Quantity& quantity) {
+  return *std::find_if(series_.begin(), series_.end(),
+                       [&](const QuantitySeries& s) { return s.quantity == &quantity; });
+}
+
 void Writer::add(const Quantity& quantity, const Result& result) {
-  const auto at =
-      std::find_if(series_.begin(), series_.end(), [&](const QuantitySeries& s) { return s.quantity == &quantity; });
-  QuantitySeries& series = *at;
+  QuantitySeries& series = series_of(quantity);
   const std::size_t frames = frames_.size();
   const std::uint64_t step = steps_.back();
   for (const Scalar& x : result.scalars) {
@@ -146,35 +164,41 @@ void Writer::add(const Quantity& quantity, const Result& result) {
     std::string name = quantity.name;
     if (!t.name.empty()) name += "_" + t.name;
     if (!single_) name += fmt::format("_{:012}", step);
-    auto known = std::find_if(series.tables.begin(), series.tables.end(),
-                              [&](const QuantitySeries::TableFiles& k) { return k.head.name == t.name; });
-    if (known == series.tables.end()) {
-      QuantitySeries::TableFiles fresh;
-      fresh.head.name = t.name;
-      fresh.head.title = t.title;
-      known = series.tables.insert(known, std::move(fresh));
-    }
-    known->head.columns.clear();
-    for (const Column& c : t.columns) {
-      known->head.columns.push_back({c.name, c.unit, {}});
-      if (!std::all_of(c.values.begin(), c.values.end(), [](double v) { return std::isfinite(v); }))
-        add_note(series, fmt::format("table {}: {} has values that are not finite: empty cells", t.name, c.name), step);
-    }
-    known->files.push_back(file(name + ".csv", csv_of(t)));
+    write_table(series, t, name + ".csv");
   }
   for (const Surface& x : result.surfaces) {
-    if (!single_) {
+    if (!single_ && !x.lines) {
       add_note(series, "surface " + x.name + ": written where one frame alone is analysed", step);
       continue;
     }
-    io::Vtp vtp;
-    vtp.set_points(x.points, false);
-    vtp.set_cells(io::Vtp::Cells::polygons, x.corners, x.ends);
-    for (const Column& c : x.columns) vtp.add_cell_array(c.name, 1, c.values);
-    const std::string name = std::string(quantity.name) + "_" + x.name + ".vtp";
-    vtp.write((fs::path(folder_) / name).string());
-    files_.push_back(name);
+    std::string name = quantity.name + ("_" + x.name);
+    if (!single_) name += fmt::format("_{:012}", step);
+    write_surface(x, (fs::path(folder_) / (name + ".vtp")).string());
+    files_.push_back(name + ".vtp");
   }
+}
+
+void Writer::add_of_all(const Quantity& quantity, const Table& table) {
+  write_table(series_of(quantity), table, fmt::format("{}_{}.csv", quantity.name, table.name));
+}
+
+void Writer::write_table(QuantitySeries& series, const Table& t, const std::string& name) {
+  auto known = std::find_if(series.tables.begin(), series.tables.end(),
+                            [&](const QuantitySeries::TableFiles& k) { return k.head.name == t.name; });
+  if (known == series.tables.end()) {
+    QuantitySeries::TableFiles fresh;
+    fresh.head.name = t.name;
+    fresh.head.title = t.title;
+    known = series.tables.insert(known, std::move(fresh));
+  }
+  known->head.columns.clear();
+  for (const Column& c : t.columns) {
+    known->head.columns.push_back({c.name, c.unit, {}});
+    if (!std::all_of(c.values.begin(), c.values.end(), [](double v) { return std::isfinite(v); }))
+      add_note(series, fmt::format("table {}: {} has values that are not finite: empty cells", t.name, c.name),
+               steps_.back());
+  }
+  known->files.push_back(file(name, csv_of(t)));
 }
 
 void Writer::write_series(const QuantitySeries& series) {

@@ -1,6 +1,6 @@
 // Results of an analysis as files, units first. For each quantity
 //   <quantity>_<table>.csv          its tables; of several frames <quantity>_<table>_<step>.csv, written frame by frame
-//   <quantity>_<surface>.vtp        of a single frame: polygons for pictures (VTK), a value per polygon and column
+//   <quantity>_<surface>.vtp        lines for pictures (VTK), likewise, and of a single frame polygons; values per cell
 //   <quantity>_series.csv           a row per frame: time, step, its scalars, their errors as <scalar>_error
 //   <quantity>_blocks.csv           of 20 frames or more: means over blocks of time, with their errors
 // and of all together
@@ -24,7 +24,9 @@ namespace dem::analysis {
 
 // A table as the text of its file.
 std::string csv_of(const Table& table);
-// 17 digits; empty where it is not finite.
+// A VTK PolyData file.
+void write_surface(const Surface& surface, const std::string& path);
+// As short as reads back to the same bits; empty where it is not finite.
 std::string csv_number(double value);
 
 struct ScalarSeries {
@@ -59,12 +61,16 @@ class Writer {
   // Frame by frame: its place in the source and what it is, then its results, in the order of the quantities.
   void begin_frame(std::size_t frame, const Snapshot& snapshot);
   void add(const Quantity& quantity, const Result& result);
+  // A table over all frames together: <quantity>_<table>.csv.
+  void add_of_all(const Quantity& quantity, const Table& table);
   // Series, summary and analysis.json, the last file: where it stands the analysis is complete.
   void finish();
   const std::vector<QuantitySeries>& series() const { return series_; }
   const std::vector<double>& times() const { return times_; }
 
  private:
+  QuantitySeries& series_of(const Quantity& quantity);
+  void write_table(QuantitySeries& series, const Table& table, const std::string& name);
   std::string file(const std::string& name, const std::string& text);
   void write_series(const QuantitySeries& series);
   void write_blocks(const QuantitySeries& series);

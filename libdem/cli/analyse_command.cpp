@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "libdem/analysis/flow.h"
 #include "libdem/analysis/frames.h"
 #include "libdem/analysis/in_run.h"
 #include "libdem/analysis/write.h"
@@ -101,6 +102,20 @@ std::string text_of(const analysis::ScalarSeries& s, const std::vector<double>& 
   return text + fmt::format(", last {}", with_unit(values.back(), "1"));
 }
 
+// How long bodies were there, of those that left; empty where none did.
+analysis::Table residence_table(const analysis::Residence& residence) {
+  analysis::Table t{"residence",
+                    "bodies that have left: frames between which they were there; since_start 1: or longer",
+                    {{"id", "1", {}}, {"entered", "s", {}}, {"left", "s", {}}, {"since_start", "1", {}}}};
+  for (const auto& stay : residence.stays()) {
+    t.columns[0].values.push_back(static_cast<double>(stay.id));
+    t.columns[1].values.push_back(stay.entered);
+    t.columns[2].values.push_back(stay.left);
+    t.columns[3].values.push_back(stay.from_start ? 1 : 0);
+  }
+  return t;
+}
+
 void print(const analysis::Writer& writer) {
   for (const analysis::QuantitySeries& q : writer.series()) {
     fmt::print("{}\n", q.quantity->name);
@@ -138,6 +153,9 @@ int analyse_command(const AnalyseArguments& a) {
   analysis::prepare_folder(folder);
   analysis::Writer writer(folder, frames.source, what, list.size() == 1);
   WorkProgress progress(list.size() * what.size(), a.quiet);
+  const Quantity* flow = analysis::find_quantity("flow");
+  if (std::find(what.begin(), what.end(), flow) == what.end()) flow = nullptr;
+  analysis::Residence residence;
   std::size_t done = 0;
   for (std::size_t f = 0; f < list.size(); ++f) {
     if (f > 0) {
@@ -146,11 +164,13 @@ int analyse_command(const AnalyseArguments& a) {
     }
     settings.before = f > 0 ? &before : nullptr;
     writer.begin_frame(list[f], now);
+    if (flow != nullptr) residence.add(now);
     for (const Quantity* q : what) {
       progress.show(done++, fmt::format("frame {} of {}: {}", f + 1, list.size(), q->name));
       writer.add(*q, result_of(*q, now, settings));
     }
   }
+  if (flow != nullptr && !residence.stays().empty()) writer.add_of_all(*flow, residence_table(residence));
   writer.finish();
   progress.end();
   if (!a.quiet) print(writer);

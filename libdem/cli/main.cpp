@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <exception>
 
+#include "libdem/analysis/group_words.h"
 #include "libdem/cli/commands.h"
 #include "libdem/io/io.h"
 #include "shapes/polyhedron_build.h"
@@ -171,7 +172,7 @@ void add_analyse(CLI::App& app, AnalyseArguments& a) {
   sub->add_option("--voronoi-points", a.voronoi_points, "Surface points per body of set-Voronoi cells; 0: chosen")
       ->check(CLI::NonNegativeNumber);
   sub->add_option("--split", a.split, "What mixing and partial distributions compare")
-      ->check(CLI::IsMember({"species", "size", "shape", "material"}))
+      ->check(CLI::IsMember(dem::analysis::group_words()))
       ->capture_default_str();
   sub->add_option("--strong-force", a.strong_force, "From which part of the mean normal force on a contact is strong")
       ->check(CLI::PositiveNumber)

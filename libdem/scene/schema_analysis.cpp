@@ -1,4 +1,5 @@
 // The keys of [analysis].
+#include "libdem/analysis/group_words.h"
 #include "libdem/scene/schema_bind.h"
 #include "libdem/scene/schema_tables.h"
 
@@ -24,7 +25,7 @@ std::vector<Key> analysis_keys() {
           .from(0)
           .to(100000),
       value<&AnalysisSpec::split>("split", "", "What mixing and partial distributions compare.")
-          .one_of({"species", "size", "shape", "material"}),
+          .one_of(analysis::group_words()),
       value<&AnalysisSpec::strong_force>("strong_force", "",
                                          "From which part of the mean normal force on a contact is strong.")
           .above(0),

@@ -30,7 +30,8 @@ TEST(AnalysisFlow, ProfileOfShear) {
   Snapshot s = sets::simple_cubic(8);
   Random random(3, 0, 0);
   for (std::size_t i = 0; i < s.count(); ++i) {
-    s.velocity[i] = {0.5 * s.position[i].z, 0, i % 2 == 0 ? 0.1 : -0.1};
+    const bool even = std::lround(s.position[i].y) % 2 == 0;
+    s.velocity[i] = {0.5 * s.position[i].z, 0, even ? 0.1 : -0.1};
     s.spin[i] = {0, 0.25, 0};
   }
   const auto along_z = flow_profile(s, domain_of(s), 2, 8);

@@ -12,6 +12,7 @@
 #include "libdem/analysis/force_network.h"
 #include "libdem/analysis/histogram.h"
 #include "libdem/analysis/report_forces.h"
+#include "libdem/analysis/write.h"
 #include "tests/libdem/analysis_sets.h"
 
 namespace dem::analysis {
@@ -147,6 +148,13 @@ TEST(AnalysisForces, ColumnIsAChain) {
   EXPECT_EQ(scalar(r, "percolates_y"), 1);
   EXPECT_EQ(scalar(r, "percolates_x"), 0);  // the loaded column stands at one side
   EXPECT_EQ(scalar(r, "bodies_in_chains"), 0.5);
+  for (const Table& t : r.tables) {
+    if (t.name != "bodies") continue;
+    const std::vector<double>& chain = t.columns.back().values;
+    EXPECT_EQ(std::count(chain.begin(), chain.end(), -1.0),
+              std::count(chain.begin(), chain.end(), 0.0));  // none; the one
+    EXPECT_EQ(std::count(chain.begin(), chain.end(), -1.0), static_cast<std::ptrdiff_t>(s.count() / 2));
+  }
   // A bend of more than 45° breaks it: the upper half leans over.
   for (int i = 1; i < 4; ++i)
     s.position[static_cast<std::size_t>(i) + 2] = {std::sin(1.0) * i, 2 + std::cos(1.0) * i, 0};
@@ -211,7 +219,7 @@ TEST(AnalysisForces, LinesGoToTheNearestImage) {
   for (const NetworkLine& l : lines) EXPECT_NEAR(norm(l.to - l.from), l.wall ? 0.5 : 1, 1e-12);
   EXPECT_EQ(lines.back().relative, 2);
   const std::string path = ::testing::TempDir() + "analysis_forces_network.vtp";
-  write_network(path, lines);
+  write_surface(network_surface(lines), path);
   std::ifstream file(path);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   EXPECT_NE(text.find("NumberOfLines=\"193\""), std::string::npos);

@@ -97,7 +97,7 @@ TEST(AnalysisMixing, GroupsByEveryWord) {
   ASSERT_EQ(size.names.size(), 2u);
   EXPECT_EQ(size_of_group(size, 1), 250);
   EXPECT_EQ(size_of_group(groups_of(s, "density", nullptr), 1), 500);
-  EXPECT_EQ(groups_of(s, "material", nullptr).names, (std::vector<std::string>{"glass"}));
+  EXPECT_EQ(groups_of(s, "material", nullptr).names, (std::vector<std::string>{"stuff"}));
   EXPECT_EQ(groups_of(s, "shape", nullptr).names.size(), 1u);
   const Groups layers = groups_of(s, "layers", nullptr, 5);
   for (std::uint32_t k = 0; k < 5; ++k) EXPECT_EQ(size_of_group(layers, k), 200);
@@ -105,6 +105,7 @@ TEST(AnalysisMixing, GroupsByEveryWord) {
   EXPECT_EQ(layers.of_body[9], 4u);
   EXPECT_EQ(size_of_group(groups_of(s, "position", nullptr), 0), 500);
   EXPECT_EQ(groups_of(s, "x", nullptr, 4).of_body[999], 3u);
+  for (const std::string& word : group_words()) EXPECT_EQ(groups_of(s, word, nullptr).of_body.size(), 1000u);
   try {
     groups_of(s, "colour", nullptr);
     ADD_FAILURE();

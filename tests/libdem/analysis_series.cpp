@@ -26,7 +26,7 @@ std::vector<double> remembering(std::size_t count, double memory, std::uint64_t 
 }
 
 TEST(AnalysisSeries, ConstantIsSteadyWithoutError) {
-  for (const std::size_t n : {8u, 49u, 50u, 1000u}) {
+  for (const std::size_t n : {16u, 49u, 50u, 1000u}) {
     const std::vector<double> x(n, 0.1);
     EXPECT_TRUE(steady_part(x).steady);
     EXPECT_EQ(steady_part(x).from, 0u);
@@ -54,7 +54,7 @@ TEST(AnalysisSeries, ADecayIsCutOffAndADriftIsNotSteady) {
 
 TEST(AnalysisSeries, ShortSeriesAreNotDecided) {
   EXPECT_FALSE(steady_part({}).decided);
-  EXPECT_FALSE(steady_part(std::vector<double>(7, 1.0)).decided);
+  EXPECT_FALSE(steady_part(std::vector<double>(15, 1.0)).decided);
   EXPECT_EQ(mean_over_time({}).count, 0u);
   EXPECT_FALSE(mean_over_time({}).error);
   EXPECT_FALSE(mean_over_time(std::vector<double>{3}).error);

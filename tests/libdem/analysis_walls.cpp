@@ -163,7 +163,7 @@ TEST(AnalysisWalls, WithoutWallsOrContacts) {
   s.walls[1].present = false;
   const Result r = report_walls(s, {});
   EXPECT_EQ(scalar(r, "a_normal_force"), 0);
-  EXPECT_EQ(r.notes.size(), 1u);
+  EXPECT_EQ(r.notes.size(), 2u);
   for (const Scalar& x : r.scalars) EXPECT_TRUE(std::isfinite(x.value));
 }
 

@@ -53,7 +53,9 @@ TEST(AnalysisWrite, SeveralFrames) {
     writer.begin_frame(10 + f, at(100 * f, 0.1 * static_cast<double>(f)));
     writer.add(heat, result(static_cast<double>(f), f == 2 ? std::numeric_limits<double>::quiet_NaN() : 4));
   }
+  writer.add_of_all(heat, {"whole", "of all frames", {{"age", "s", {1.5, 2}}}});
   writer.finish();
+  EXPECT_EQ(io::number(io::read_csv(folder / "heat_whole.csv"), 0, 0), 1.5);
   const io::Table series = io::read_csv(folder / "heat_series.csv");
   EXPECT_EQ(series.columns, (std::vector<std::string>{"time", "step", "flow", "level", "level_error", "late"}));
   ASSERT_EQ(series.rows.size(), 3u);

@@ -54,7 +54,7 @@ TEST_F(Analyse, EveryFrameOfARun) {
   ASSERT_EQ(o.exit_code, 0) << o.err;
   EXPECT_TRUE(o.err.empty()) << o.err;  // quiet when piped
   EXPECT_TRUE(has(o.out, "11 frames")) << o.out;
-  EXPECT_TRUE(has(o.out, "velocity\n") && has(o.out, "not steady")) << o.out;
+  EXPECT_TRUE(has(o.out, "velocity\n") && has(o.out, ", last ")) << o.out;
   const json all = json::parse(program::read(run() + "/analysis/analysis.json"));
   EXPECT_EQ(all.at("frames").size(), 11u);
   for (const dem::analysis::Quantity& q : dem::analysis::quantities())
