@@ -1,6 +1,6 @@
 // Results of an analysis as files, units first. For each quantity
 //   <quantity>_<table>.csv          its tables; of several frames <quantity>_<table>_<step>.csv, written frame by frame
-//   <quantity>_<surface>.vtp        of a single frame: polygons for pictures (VTK), a value per polygon and column
+//   <quantity>_<surface>.vtp        lines for pictures (VTK), likewise, and of a single frame polygons; values per cell
 //   <quantity>_series.csv           a row per frame: time, step, its scalars, their errors as <scalar>_error
 //   <quantity>_blocks.csv           of 20 frames or more: means over blocks of time, with their errors
 // and of all together
