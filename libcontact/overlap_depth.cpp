@@ -36,8 +36,9 @@ bool polyhedra(const Body& a, const Body& b, const Vec3d& offset, const Vec3d& t
   return true;
 }
 
-bool polyhedron_plane(const Body& a, const Vec3d& wall, double height, OverlapDepth& out) {
-  const double size = circumradius(a);
+// Of a rounded one its core counts, on the wall raised by the radius: as deep there as its surface is here.
+bool polyhedron_plane(const Body& a, const Vec3d& wall, double above, OverlapDepth& out) {
+  const double size = circumradius(a), height = a.kind == Kind::polyhedron ? above : above - a.size.y;
   if (!extent_in_range(size)) return false;
   const Scale unit = scale_of(size);
   const Vec3d n = transposed_times(a.rotation, wall);
@@ -99,6 +100,7 @@ void exchange(OverlapDepth& d, const Vec3d& offset) {
 }  // namespace
 
 bool has_overlap_depth(Kind a, Kind b) {
+  if (a == Kind::rounded_polyhedron) return b == Kind::plane;
   if (a == Kind::polyhedron) return b == Kind::polyhedron || b == Kind::plane;
   return a == Kind::polygon && (b == Kind::polygon || b == Kind::line);
 }
@@ -112,9 +114,9 @@ bool overlap_depth(const Body& a, const Body& b, const Vec3d& offset, const Vec3
   }
   if (a.kind == b.kind)
     return a.kind == Kind::polyhedron ? polyhedra(a, b, offset, towards, out) : polygons(a, b, offset, out);
-  const Vec3d wall = b.rotation.column(a.kind == Kind::polyhedron ? 2 : 1);
+  const Vec3d wall = b.rotation.column(b.kind == Kind::plane ? 2 : 1);
   const double height = -dot(wall, offset);  // of a's origin over the wall
-  return a.kind == Kind::polyhedron ? polyhedron_plane(a, wall, height, out) : polygon_line(a, wall, height, out);
+  return b.kind == Kind::plane ? polyhedron_plane(a, wall, height, out) : polygon_line(a, wall, height, out);
 }
 
 }  // namespace contact

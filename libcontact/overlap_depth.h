@@ -18,6 +18,8 @@
 //
 // In the plane the same of areas, over sides and corners.
 //
+// Of a rounded polyhedron on a plane K is what its core has under the plane raised by the radius.
+//
 // Source: own; the potential's form follows Y. T. Feng, Comput. Methods Appl. Mech. Eng. 373 (2021) 113493, with d in
 // the place of V. Validity: convex bodies, overlaps shallow against the bodies. Cost: 1 us a cube on a wall, 2 us a
 // pair of cubes. Accuracy: d to 64 eps L, L the pair's size. Test: tests/libcontact/overlap_depth.cpp

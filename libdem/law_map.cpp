@@ -23,8 +23,9 @@ std::size_t map_words(const World& world) {
 
 bool measures_depth(const World& world) {
   return world.scene.law.map != LawMap::volume &&
-         std::any_of(world.shapes.begin(), world.shapes.end(),
-                     [](const ShapeEntry& e) { return e.kind == Kind::polyhedron || e.kind == Kind::polygon; });
+         std::any_of(world.shapes.begin(), world.shapes.end(), [](const ShapeEntry& e) {
+           return e.kind == Kind::polyhedron || e.kind == Kind::rounded_polyhedron || e.kind == Kind::polygon;
+         });
 }
 
 std::size_t record_words(const World& world) {

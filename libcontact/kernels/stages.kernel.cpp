@@ -136,7 +136,7 @@ KERNEL_IN_LINE void cohesion_stage(LawChunk& c, LawWork& w, std::size_t count, c
     k.overlap = load(c.overlap, i);  // a gap counts
     State s = load_state<State>(w, i, call.memory);
     const Pull<Pack> pull = Law::update(load(c.pair, i), k, load(w.normal, i), *call.options, s);
-    store(w.pull, i, pull.force);
+    store(w.pull, i, pull.force * load(w.gain, i));
     store(w.pull_energy, i, pull.energy);
     store(w.bond, i, larger(kernels::load(w.normal.bond, i), pull.bond));
     store_state(w, i, call.memory, s);

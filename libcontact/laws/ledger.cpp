@@ -65,7 +65,7 @@ void book(const kernels::LawChunk& c, const kernels::LawWork& w, std::size_t i, 
   Work work{acts, l.begun > 0 ? c.overlap[i] - l.overlap : l.closing * acts, before, l.slip, l.relative_spin, loss, l};
   const double elastic = w.normal.elastic[i] / gain;
   work.normal(elastic, w.normal.force[i] / gain - elastic, w.normal.energy[i]);
-  work.pull(w.pull[i], w.pull_energy[i]);
+  work.pull(w.pull[i] / gain, w.pull_energy[i]);
   work.tangential(get(w.tangential), get(w.tangential) - get(c.history_force), w.tangential_energy[i]);
   work.moment(get(c.couple), w.moment_energy[i] + twist_energy(c, w, i));
   l.begun = 1;

@@ -171,6 +171,19 @@ TEST(OverlapDepth, SlopeOfPolyhedraAndWalls) {
   EXPECT_GT(seen, 40);
 }
 
+TEST(OverlapDepth, SlopeOfRoundedOnAPlane) {
+  std::mt19937_64 random(19);
+  for (int i = 0; i < 20; ++i) {
+    Body a = cube(box(), turned(direction(random), i % 2 == 0 ? 0.01 : 2.0));
+    a.kind = Kind::rounded_polyhedron;
+    a.size.y = 0.1;
+    Pair p{a, {.kind = Kind::plane}, {0, 0, -1}};
+    ASSERT_TRUE(press(p, 0.03));
+    expect_slope(p, random, 1e-6, 1e-6, false);
+    ASSERT_FALSE(HasFailure()) << "case " << i;
+  }
+}
+
 TEST(OverlapDepth, SlopeOfPolygonsAndLines) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> part;

@@ -141,7 +141,7 @@ inline Scene scene_of(const SamplePair& pair, const LawSpec& law, const Material
   s.run.dt = 1e-9;
   s.run.dt_auto = false;
   s.run.max_initial_overlap = 1;
-  s.run.skin = 2 * size;
+  s.run.skin = 8 * size;  // paths are looked for from afar
   s.bodies = {scenes::body(pair.moving.name, "m", pair.planar() ? Vec3d{0, 50 * size, 0} : Vec3d{0, 0, 50 * size})};
   if (pair.resting.is_wall())
     s.walls = {pair.resting.wall};

@@ -1,0 +1,70 @@
+// No contact gives back more than it was given: laws whose force is a slope of their stored energy, led round closed
+// paths of pose with every pair of shapes under the default map. All laws and maps: bench_laws --only shape_loops.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "tests/libdem/loop_laws.h"
+#include "tests/libdem/pose_loops.h"
+#include "tests/libdem/shape_samples.h"
+
+namespace dem {
+namespace {
+
+// Pairs whose contacts are one potential; of the others libdem/README.md tells.
+bool one_potential(const samples::SamplePair& pair) {
+  using shapes::Kind;
+  for (const auto* s : {&pair.moving, &pair.resting}) {
+    if (s->kind == Kind::compound || s->name == "mesh with a ridge" || s->name == "polyline") return false;
+    if (s->kind == Kind::rounded_polyhedron && pair.resting.kind != Kind::plane) return false;
+  }
+  return true;
+}
+
+std::vector<std::size_t> measured() {
+  const auto all = samples::every_pair();
+  std::vector<std::size_t> list;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (one_potential(all[i])) list.push_back(i);
+  return list;
+}
+
+class WorkPerLap : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(WorkPerLap, IsNothing) {
+  const samples::SamplePair pair = samples::every_pair()[GetParam()];
+  const bool planar = pair.planar();
+  const auto law = planar ? LawName::linear_spring : LawName::hertz_mindlin;
+  const loops::Variant v = loops::variant_of(static_cast<std::size_t>(law), 0, true);
+  loops::Arena arena(samples::scene_of(pair, v.law, v.material));
+  shapes::Random random(GetParam(), 23, 0);
+  int met = 0;
+  for (const loops::Style& style :
+       {loops::Style{true, false, false, false, 0.02}, loops::Style{true, true, true, false, 0.1}}) {
+    Vec3d along = planar ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
+    Quatd rest;
+    if (!pair.resting.is_wall()) {
+      rest = planar ? random.turn() : random.rotation();
+      along = planar ? rotate(random.turn(), Vec3d{1, 0, 0}) : random.direction();
+    }
+    arena.rest(rest);
+    const auto path = loops::random_path(arena, along, planar, style, samples::size, random);
+    const loops::Loop loop(path, rest, false, 2048);
+    double last = 0;
+    for (const int steps : {512, 2048}) {
+      const loops::Lap lap = loops::go_round(arena, loop, steps, 1, 2e-3);
+      ASSERT_GT(lap.stored, 0) << pair.name();
+      last = lap.created / lap.stored;
+      ++met;
+    }
+    // Where features change the force has kinks, and the rule of trapezoids the error of those.
+    EXPECT_NEAR(last, 0, 1e-6) << pair.name();
+    std::printf("  %s: %.1e of the largest energy\n", pair.name().c_str(), last);
+  }
+  EXPECT_EQ(met, 4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Pairs, WorkPerLap, testing::ValuesIn(measured()));
+
+}  // namespace
+}  // namespace dem
