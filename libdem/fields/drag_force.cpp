@@ -16,7 +16,8 @@ void add_drag(World& world, int threads, double dt) {
   for (std::size_t i = 0; i < p.count(); ++i) {
     const Motion& m = p.motion[i];
     const Vec3d u = flow.velocity_at(m.position) - m.velocity;
-    const double c = drag_per_speed(info->law, flow, 2 * m.equivalent_radius, norm(u)), half = 0.5 * dt * m.inverse_mass;
+    const double c = drag_per_speed(info->law, flow, 2 * m.equivalent_radius, norm(u)),
+                 half = 0.5 * dt * m.inverse_mass;
     forces[i] = (u - p.force[i] * half - world.scene.gravity * (0.5 * dt)) * (c / (1 + c * half));  // (1)
     p.force[i] += forces[i];
   }
