@@ -191,7 +191,10 @@ class ForcePass {
     for (std::size_t i = 0; i < n; ++i) {
       const Vec3d f = get(l.force, i);
       Vec3d couple = patch || staged_ ? get(l.couple, i) : Vec3d{};
-      if (s.gained && s.work.normal.force[i] > 0) couple -= get(l.normal, i) * (s.screw[i] * s.work.normal.elastic[i]);
+      if (s.gained && s.screw[i] != 0) {  // of all that goes with the overlap; a force that is cut off has none
+        const double elastic = s.work.normal.force[i] != 0 ? s.work.normal.elastic[i] : 0;
+        couple -= get(l.normal, i) * (s.screw[i] * (elastic - s.work.pull[i]));
+      }
       put(l.couple, i, cross(s.arm_a[i], f) + couple);
       put(l.couple_b, i, -cross(s.arm_b[i], f) - couple);
     }

@@ -7,8 +7,12 @@
 #include <numbers>
 #include <vector>
 
+#include "libcontact/laws/mix.h"
 #include "libdem/broad_phase/candidates.h"
 #include "libdem/forces.h"
+#include "libdem/law_map.h"
+#include "libdem/laws_of_scene.h"
+#include "libdem/scene/where.h"
 #include "tests/libdem/scenes_in_code.h"
 
 namespace dem::loops {
@@ -104,6 +108,24 @@ struct PosePath {
 class Arena {
  public:
   explicit Arena(const Scene& scene) : world_(build_world(scene)) {}
+
+  // The same shapes under another law: shapes take longer to build than loops to go round. False: refused.
+  bool put_under(const LawSpec& law, const MaterialSpec& material) {
+    world_.scene.law = law;
+    world_.law = law_model_of(law);
+    world_.law_options = law_options_of(law);
+    world_.materials = {material_of(material, law)};
+    world_.pairs = {contact::mix(world_.materials[0], world_.materials[0], law.clip)};
+    world_.contacts = {};
+    try {
+      check_map(world_);
+    } catch (const InputError&) {
+      return false;
+    }
+    const auto regions = [](const auto& s) { return s.meets_in_regions(); };
+    return !world_.law.lingers || !(std::any_of(world_.shapes.begin(), world_.shapes.end(), regions) ||
+                                    std::any_of(world_.walls.begin(), world_.walls.end(), regions));
+  }
 
   World& world() { return world_; }
   const Vec3d& force() const { return world_.particles.force[moving_]; }
@@ -216,6 +238,7 @@ struct Loop {
 struct Lap {
   double created = -1e300;  // work on the body, and the gain of stored energy, of the worst lap, J
   double stored = 0;        // largest, J
+  int apart = 0;            // looks at which the bodies did not touch
 };
 
 // `laps` times round in `steps` each, a lap `duration` long (s): velocities are those of half a step before, as the
@@ -248,6 +271,7 @@ inline Lap go_round(Arena& arena, const Loop& loop, int steps, int laps, double 
       last = now;
       kept = energies(arena.world()).elastic;
       out.stored = std::max(out.stored, std::abs(kept));
+      out.apart += arena.touching() ? 0 : 1;
     }
     out.created = std::max(out.created, work + kept - at_start);
   }

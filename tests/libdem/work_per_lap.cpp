@@ -31,14 +31,16 @@ std::vector<std::size_t> measured() {
 
 class WorkPerLap : public testing::TestWithParam<std::size_t> {};
 
+// Smooth paths never apart; of the second kind features change, there the force has kinks and the rule of trapezoids
+// the error of those.
 TEST_P(WorkPerLap, IsNothing) {
   const samples::SamplePair pair = samples::every_pair()[GetParam()];
   const bool planar = pair.planar();
-  const auto law = planar ? LawName::linear_spring : LawName::hertz_mindlin;
-  const loops::Variant v = loops::variant_of(static_cast<std::size_t>(law), 0, true);
-  loops::Arena arena(samples::scene_of(pair, v.law, v.material));
+  const auto variant = [](LawName law) { return loops::variant_of(static_cast<std::size_t>(law), 0, true); };
+  std::vector<loops::Variant> laws = {variant(planar ? LawName::linear_spring : LawName::hertz_mindlin)};
+  if (!planar) laws.push_back(variant(LawName::dmt));  // a pull goes with the slope as well
+  loops::Arena arena(samples::scene_of(pair, laws[0].law, laws[0].material));
   shapes::Random random(GetParam(), 23, 0);
-  int met = 0;
   for (const loops::Style& style :
        {loops::Style{true, false, false, false, 0.02}, loops::Style{true, true, true, false, 0.1}}) {
     Vec3d along = planar ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
@@ -48,20 +50,19 @@ TEST_P(WorkPerLap, IsNothing) {
       along = planar ? rotate(random.turn(), Vec3d{1, 0, 0}) : random.direction();
     }
     arena.rest(rest);
+    ASSERT_TRUE(arena.put_under(laws[0].law, laws[0].material));
     const auto path = loops::random_path(arena, along, planar, style, samples::size, random);
     const loops::Loop loop(path, rest, false, 2048);
-    double last = 0;
-    for (const int steps : {512, 2048}) {
-      const loops::Lap lap = loops::go_round(arena, loop, steps, 1, 2e-3);
+    for (const loops::Variant& v : laws) {
+      ASSERT_TRUE(arena.put_under(v.law, v.material));
+      const loops::Lap lap = loops::go_round(arena, loop, 2048, 1, 2e-3);
       ASSERT_GT(lap.stored, 0) << pair.name();
-      last = lap.created / lap.stored;
-      ++met;
+      if (&v != laws.data() && lap.apart > 0) continue;  // the pull begins and ends with a jump
+      const double share = lap.created / lap.stored;
+      EXPECT_NEAR(share, 0, 1e-6) << pair.name() << ", " << v.name;
+      std::printf("  %s, %s: %.1e of the largest energy\n", pair.name().c_str(), v.name.c_str(), share);
     }
-    // Where features change the force has kinks, and the rule of trapezoids the error of those.
-    EXPECT_NEAR(last, 0, 1e-6) << pair.name();
-    std::printf("  %s: %.1e of the largest energy\n", pair.name().c_str(), last);
   }
-  EXPECT_EQ(met, 4);
 }
 
 INSTANTIATE_TEST_SUITE_P(Pairs, WorkPerLap, testing::ValuesIn(measured()));
