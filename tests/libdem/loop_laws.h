@@ -14,6 +14,7 @@ struct Variant {
   std::string name;
   LawSpec law;
   MaterialSpec material;
+  bool damped = false;
   bool conserves = false;         // the force is a slope of the stored energy alone: a lap neither takes nor gives
   const char* literal = nullptr;  // kept to its source, which is known to create energy: why
 };
@@ -26,9 +27,10 @@ inline Variant variant_of(std::size_t combination, double friction, bool elastic
   v.material = law_loop::material();
   v.material.friction = friction;
   if (elastic) v.material.restitution = 1;
-  v.name = std::string(named.name) + (elastic || !named.damped ? "" : ", damped") +
-           (friction > 0 ? "" : ", no friction") + (rescale ? "" : ", rescale = false");
-  v.conserves = friction == 0 && (elastic || !named.damped) && (named.normal == "linear" || named.normal == "hertz");
+  v.damped = named.damped && !elastic;
+  v.name = std::string(named.name) + (v.damped ? ", damped" : "") + (friction > 0 ? "" : ", no friction") +
+           (rescale ? "" : ", rescale = false");
+  v.conserves = friction == 0 && !v.damped && (named.normal == "linear" || named.normal == "hertz");
   if (friction > 0) {
     if (named.tangential == "mindlin_deresiewicz") v.literal = "Box 9.1";
     if (named.tangential == "thornton_peeling") v.literal = "Box 9.1 after peeling";
