@@ -38,7 +38,10 @@ std::string still_of(const fs::path& run, World& world, const std::string& folde
   io::load_frame((run / "record.h5").string(), world, io::frame_count((run / "record.h5").string()) - 1);
   fs::create_directories(folder);
   const std::string path = (fs::path(folder) / "still.png").string();
-  render::write_png(path, render::draw(world, {}));
+  render::View view;
+  view.width = 720;
+  view.height = 540;
+  render::write_png(path, render::draw(world, view));
   return path;
 }
 

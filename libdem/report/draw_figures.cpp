@@ -23,7 +23,7 @@ std::string whole_script(const Figure& figure) {
       "# {0}\n{3} gnuplot {1}.gp\n"
       "set terminal svg size 620,400 dynamic noenhanced font 'sans-serif,13' linewidth 1 background 'white'\n"
       "set output '{1}.svg'\nset datafile separator ','\nset datafile columnheaders\n"
-      "set key top right\nset grid lc rgb '#dddddd'\nset tics nomirror\n{2}",
+      "set key above\nset grid lc rgb '#dddddd'\nset tics nomirror\n{2}",
       figure.title, figure.name, figure.script, mark);
 }
 

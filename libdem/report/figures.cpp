@@ -105,9 +105,9 @@ class Figures {
     list_.push_back(
         {"rose_" + plane, t->title,
          fmt::format("set polar\nset angles radians\nunset border\nunset xtics\nunset ytics\nset ttics 0,30\n"
-                     "set grid polar 30\nset size ratio -1\nset rrange [0:*]\nset key outside right top\n"
+                     "set grid polar 30\nset size ratio -1\nset rrange [0:*]\n"
                      "turn = 2*pi\n"
-                     "plot {0} using 'angle':'density' with boxes fs solid 0.25 lc 1 title 'by number', \\\n"
+                     "plot {0} using 'angle':'density' with impulses lw 7 lc rgb '#9fb8dd' title 'by number', \\\n"
                      "  {0} using 'angle':'force_density' with points pt 7 ps 0.5 lc 2 title 'by force', \\\n"
                      "  {0} using 'angle':'fit' with lines lw 1.5 lc 1 title 'fit by number'\n",
                      data),

@@ -29,8 +29,8 @@
   const width = data.upper.map((u, k) => u - data.lower[k]);
 
   // ---- colours ----
-  const stops = [[68, 1, 84], [71, 44, 122], [59, 81, 139], [44, 113, 142], [33, 144, 141], [39, 173, 129],
-    [92, 200, 99], [170, 220, 50], [253, 231, 37]];
+  const stops = [[72, 66, 150], [64, 96, 160], [50, 123, 163], [39, 148, 157], [38, 173, 139], [72, 194, 112],
+    [126, 211, 80], [188, 223, 56], [253, 231, 37]];
   function sequential(t) {
     const at = Math.min(Math.max(t, 0), 1) * (stops.length - 1), k = Math.min(Math.floor(at), stops.length - 2);
     return stops[k].map((c, i) => (c + (stops[k + 1][i] - c) * (at - k)) / 255);
@@ -55,14 +55,19 @@
   }
   const sizes = range(bodies.diameter), ids = range(bodies.id);
   colourings.size = { label: 'diameter (m)', ends: sizes, of: (f, k) => sequential(share(bodies.diameter[f.shown[k]], sizes)) };
-  colourings.species = {
-    label: 'species', names: ['none'].concat(data.species),
-    of: (f, k) => distinct[bodies.species[f.shown[k]] % distinct.length],
-  };
-  colourings.shape = {
-    label: 'shape', names: data.shapes.map((s) => s.name),
-    of: (f, k) => distinct[bodies.shape[f.shown[k]] % distinct.length],
-  };
+  // Categories, of those that bodies have.
+  function categories(label, names, values) {
+    const has = new Set(values), used = [...names.keys()].filter((i) => has.has(i));
+    const rank = new Map(used.map((value, i) => [value, i]));
+    return {
+      label, names: used.map((i) => names[i]),
+      of: (f, k) => distinct[rank.get(values[f.shown[k]]) % distinct.length],
+    };
+  }
+  const families = [...new Set(data.shapes.map((s) => s.family))];
+  const familyOf = data.shapes.map((s) => families.indexOf(s.family));
+  colourings.species = categories('species', ['none'].concat(data.species), bodies.species);
+  colourings.shape = categories('shape', families, bodies.shape.map((s) => familyOf[s]));
   colourings.id = { label: 'id', ends: ids, of: (f, k) => sequential(share(bodies.id[f.shown[k]], ids)) };
 
   // ---- the scene ----
@@ -213,11 +218,13 @@
     };
     add(box, 'div', 'label', colouring.label);
     if (colouring.names) {
-      colouring.names.forEach((name, i) => {
+      const most = 14;
+      colouring.names.slice(0, most).forEach((name, i) => {
         const row = add(box, 'div', 'row');
         add(row, 'span', 'swatch').style.background = css(distinct[i % distinct.length]);
         add(row, 'span', 'name', name);
       });
+      if (colouring.names.length > most) add(box, 'div', 'row', 'and ' + (colouring.names.length - most) + ' more');
       return;
     }
     const steps = stops.map((_, i) => css(sequential(i / (stops.length - 1))));
@@ -235,6 +242,7 @@
     lamp.position.copy(camera.position).addScaledVector(up, radius);
     lamp.target.position.copy(controls.target);
     renderer.render(scene, camera);
+    document.body.dataset.triangles = renderer.info.render.triangles;
   }
   function resize() {
     const w = canvas.clientWidth, h = canvas.clientHeight;

@@ -45,7 +45,7 @@ Json shape_json(const ShapeEntry& shape, Json& meshes) {
   else
     for (const auto& part : shape.compound->parts)
       add(part.solid.get(), part.centre, part.orientation, part.size, false);
-  return {{"name", shape.name}, {"parts", parts}};
+  return {{"family", shape.family.empty() ? shape.name : shape.family}, {"parts", parts}};
 }
 
 void add_to_box(const analysis::Snapshot& s, io::Box& box) {

@@ -10,8 +10,8 @@ namespace dem::report {
 
 using Json = nlohmann::ordered_json;
 
-// {name, parts: [{mesh: -1 or place in meshes, centre, turn, size, own}]}; size and centre of a body of scale 1, `own`:
-// the body itself has the size (spheres and ellipsoids). Meshes are added to `meshes`: {points, triangles}.
+// {family, parts: [{mesh: -1 or place in meshes, centre, turn, size, own}]}; size and centre of a body of scale 1,
+// `own`: the body itself has the size (spheres and ellipsoids). Meshes are added to `meshes`: {points, triangles}.
 Json shape_json(const ShapeEntry& shape, Json& meshes);
 
 // Box around bodies and, unless they are much larger, meshes of walls.
