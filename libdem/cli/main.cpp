@@ -206,7 +206,8 @@ void add_report(CLI::App& app, ReportArguments& a) {
       ->type_name("FILE.html");
   sub->add_option("--frames", a.analyse.frames, "As of dem analyse")->type_name("A:B:S");
   sub->add_option("--what", a.analyse.what, "As of dem analyse")->delimiter(',')->type_name("LIST|all");
-  sub->add_option("--bodies", a.max_bodies, "At most in the view; of more every k-th by id")
+  sub->add_option("--bodies", a.max_bodies,
+                  "About as many in the view at most; of more one in k, spread over their ids")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   sub->add_option("--density", a.analyse.density, "Of other codes' bodies without mass, kg/m^3")

@@ -24,6 +24,7 @@ std::string cell(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_float()) return fmt::format("{:.8g}", value.get<double>());
   if (value.is_null()) return "";
+  if (value.empty()) return "none";
   if (!value.is_array()) return value.dump();
   std::string text;
   for (const Json& v : value) text += (text.empty() ? "" : ", ") + cell(v);

@@ -104,13 +104,14 @@ class Figures {
     const std::string data = io::gnuplot_quoted(data_ + "/" + file);
     list_.push_back(
         {"rose_" + plane, t->title,
-         fmt::format("set polar\nset angles radians\nunset border\nunset xtics\nunset ytics\nset ttics 0,30\n"
-                     "set grid polar 30\nset size ratio -1\nset rrange [0:*]\n"
-                     "turn = 2*pi\n"
+         fmt::format("set polar\nset angles radians\nunset border\nunset xtics\nunset ytics\n"
+                     "set grid polar 30\nset size square\nset rrange [0:*]\n"
+                     "set tmargin at screen 0.84\nset bmargin at screen 0.06\n"
+                     "set label '{1}' at graph 1.05,0.5 center\nset label '{2}' at graph 0.5,1.05 center\n"
                      "plot {0} using 'angle':'density' with impulses lw 7 lc rgb '#9fb8dd' title 'by number', \\\n"
                      "  {0} using 'angle':'force_density' with points pt 7 ps 0.5 lc 2 title 'by force', \\\n"
                      "  {0} using 'angle':'fit' with lines lw 1.5 lc 1 title 'fit by number'\n",
-                     data),
+                     data, plane[0], plane[1]),
          ""});
   }
 
@@ -174,7 +175,7 @@ std::vector<Figure> figures_of(const Listing& listing, const std::string& data) 
   add_all_series(to);
   to.add_table("rdf", "", "r", {{"g", line, ""}}, "g");
   to.add_table("coordination", "distribution", "contacts", {{"share", boxes, ""}}, "share of bodies",
-               "set boxwidth 0.8\nset yrange [0:*]\n");
+               "set boxwidth 0.8\nset xrange [-0.6:*]\nset yrange [0:*]\n");
   to.add_table("forces", "normal", "force_over_mean", {{"density", "points pt 7 ps 0.6", ""}}, "P(f/<f>)",
                "set logscale y\n");
   for (const char* plane : {"xy", "xz", "yz"}) to.add_rose(plane);

@@ -17,7 +17,7 @@ struct Input {
   std::string title, scene;  // of the run: title and resolved text
   std::vector<std::pair<std::string, std::string>> model;  // what is on and off; name empty: the line before goes on
   std::string still;                                       // a PNG file, shown where the view is not; empty: none
-  std::size_t max_bodies = 20000;                          // in the view; of more each k-th by id
+  std::size_t max_bodies = 20000;                          // in the view; of more one in k
 };
 
 struct Outcome {

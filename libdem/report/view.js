@@ -77,6 +77,7 @@
     renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true });
   } catch (error) {
     byId('no-webgl').hidden = false;
+    byId('view').hidden = true;
     return;
   }
   const up = new THREE.Vector3(...data.up);

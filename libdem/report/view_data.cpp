@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "libdem/report/base64.h"
@@ -51,6 +52,11 @@ class Displacements {
   };
   std::map<std::uint64_t, Body> bodies_;
 };
+
+// One in `each`, spread evenly over ids: the fractional parts of multiples of the golden ratio.
+bool in_sample(std::uint64_t id, std::uint64_t each) {
+  return each <= 1 || id * 0x9E3779B97F4A7C15u < std::numeric_limits<std::uint64_t>::max() / each;
+}
 
 struct FrameValues {
   std::size_t frame = 0;
@@ -198,7 +204,7 @@ ViewData view_data(const analysis::Frames& frames, const Listing& listing, std::
     FrameValues f{frame, {}, {}};
     for (std::uint32_t i = 0; i < s.count(); ++i) {
       const double moved = displacements.of(i, s);
-      if (each > 1 && s.id[i] % each != 0) continue;
+      if (!in_sample(s.id[i], each)) continue;
       f.shown.push_back(i);
       turned = turned || turns(s, i);
       f.values[speed].push_back(norm(s.velocity[i]));
@@ -209,7 +215,7 @@ ViewData view_data(const analysis::Frames& frames, const Listing& listing, std::
       together[q].insert(together[q].end(), f.values[q].begin(), f.values[q].end());
     all.push_back(std::move(f));
   }
-  if (each > 1) out.notes.push_back(fmt::format("the view has the bodies whose id is a multiple of {}", each));
+  if (each > 1) out.notes.push_back(fmt::format("the view has one in {} of the bodies, spread over their ids", each));
   // Second pass: packed.
   std::array<double, quantity_count> largest{};
   Json scales = Json::object();

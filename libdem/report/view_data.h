@@ -15,9 +15,9 @@ struct ViewData {
   std::vector<std::string> notes;      // what is left out
 };
 
-// Frames of the listing, at most `most_bodies` bodies of each (every k-th by id), and at most 500,000 bodies of all
-// frames together (every k-th frame and the last). Places are kept to 1/65535 of the box that holds all of it, angles
-// to 1/32767, colours to 1/65535 of their largest value. Two passes over the frames.
+// Frames of the listing, about `most_bodies` bodies of each at most (one in k, spread over ids), and at most 500,000
+// bodies of all frames together (every k-th frame and the last). Places are kept to 1/65535 of the box that holds all
+// of it, angles to 1/32767, colours to 1/65535 of their largest value. Two passes over the frames.
 ViewData view_data(const analysis::Frames& frames, const Listing& listing, std::size_t most_bodies);
 
 }  // namespace dem::report

@@ -124,11 +124,11 @@ TEST_F(Report, WhatTheViewReads) {
   // Fewer bodies: every second one, and the page says so.
   const Outcome some = program::dem({"report", run(), "--out", out, "--bodies", "2"});
   ASSERT_EQ(some.exit_code, 0);
-  EXPECT_TRUE(has(some.err, "whose id is a multiple of 2")) << some.err;
+  EXPECT_TRUE(has(some.err, "one in 2 of the bodies")) << some.err;
   const std::string page = program::read(out);
   EXPECT_EQ(data_of(page).at("bodies").at("id"), (std::vector<int>{0, 2}));
   EXPECT_EQ(data_of(page).at("frames")[0].at("bodies"), 3);
-  EXPECT_TRUE(has(page, "whose id is a multiple of 2"));
+  EXPECT_TRUE(has(page, "one in 2 of the bodies"));
 }
 
 TEST_F(Report, AnalysisOfTheUserStands) {
