@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "libdem/report/html.h"
+#include "libdem/report/words.h"
 
 namespace dem::report {
 
@@ -14,11 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using Rows = std::vector<std::vector<std::string>>;
-
-std::string words(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
-}
 
 std::string cell(const Json& value) {
   if (value.is_string()) return value.get<std::string>();

@@ -7,18 +7,13 @@
 #include <fstream>
 
 #include "libdem/io/programs.h"
+#include "libdem/report/words.h"
 
 namespace dem::report {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string words(std::string name) {
-  for (char& c : name)
-    if (c == '_') c = ' ';
-  return name;
-}
 
 std::string label(const std::string& name, const std::string& unit) {
   return io::gnuplot_quoted(unit.empty() || unit == "1" ? words(name) : fmt::format("{} ({})", words(name), unit));
@@ -83,7 +78,8 @@ class Figures {
   // Mean with its standard deviation and the range, over the size of the boxes.
   void add_envelope() {
     const ListedTable* t = find("density", "envelope");
-    const std::string file = t == nullptr ? "" : last_file(*t);
+    if (t == nullptr) return;
+    const std::string file = last_file(*t);
     if (file.empty()) return;
     const std::string data = io::gnuplot_quoted(data_ + "/" + file);
     list_.push_back({"density_envelope", t->title,
@@ -99,7 +95,8 @@ class Figures {
   // Closed curves in polar coordinates, by number and by force.
   void add_rose(const std::string& plane) {
     const ListedTable* t = find("rose", plane);
-    const std::string file = t == nullptr ? "" : last_file(*t);
+    if (t == nullptr) return;
+    const std::string file = last_file(*t);
     if (file.empty()) return;
     const std::string data = io::gnuplot_quoted(data_ + "/" + file);
     list_.push_back(

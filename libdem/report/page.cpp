@@ -39,17 +39,16 @@ std::string view_html(const Three& three, const ViewData& view, const std::strin
   for (const std::string& n : view.notes) out += note(n);
   const std::string picture = still_html(still);
   if (!three.why.empty()) return out + note(three.why + ": a still picture instead of the view to turn") + picture;
-  out += "<div id=\"no-webgl\" hidden>" +
-         note("this browser has no WebGL: a still picture instead of the view to turn") + picture +
-         "</div>\n<noscript>" + note("scripts are off: a still picture instead of the view to turn") + picture +
-         "</noscript>\n";
+  // The picture stands until the script has made the view.
+  out += "<div id=\"instead\">" + note("no scripts or no WebGL in this browser: a still picture instead of the view") +
+         picture + "</div>\n";
   out +=
-      "<div id=\"view\"><div id=\"canvas\"><div id=\"legend\"></div></div>\n<div id=\"controls\" hidden>"
+      "<div id=\"view\" hidden><div id=\"canvas\"><div id=\"legend\"></div></div>\n<div id=\"controls\" hidden>"
       "<button id=\"play\" type=\"button\">play</button>"
       "<input id=\"time\" type=\"range\" min=\"0\" value=\"0\" aria-label=\"frame\"><span id=\"clock\"></span>"
       "<label>colour <select id=\"colour\"></select></label>"
-      "<label><input id=\"walls\" type=\"checkbox\" checked> walls</label></div></div>\n"
-      "<p class=\"faint\">Drag turns, right button shifts, wheel goes nearer.</p>\n";
+      "<label><input id=\"walls\" type=\"checkbox\" checked> walls</label>"
+      "<span class=\"faint\">drag turns, right button shifts, wheel goes nearer</span></div></div>\n";
   return out;
 }
 

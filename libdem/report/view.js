@@ -76,10 +76,10 @@
   try {
     renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true });
   } catch (error) {
-    byId('no-webgl').hidden = false;
-    byId('view').hidden = true;
-    return;
+    return;  // no WebGL: the still picture stays
   }
+  byId('instead').hidden = true;
+  byId('view').hidden = false;
   const up = new THREE.Vector3(...data.up);
   const centre = new THREE.Vector3(...data.lower.map((l, k) => l + 0.5 * width[k]));
   const radius = 0.5 * Math.hypot(...width) || 1;
@@ -89,8 +89,8 @@
     : new THREE.Vector3(0.45, -1, 0).addScaledVector(up, -new THREE.Vector3(0.45, -1, 0).dot(up)).normalize()
       .addScaledVector(up, 0.38).normalize();
   camera.position.copy(centre).addScaledVector(sideways, radius / Math.sin(Math.PI / 12));
-  scene.add(new THREE.HemisphereLight(0xffffff, 0x8f98a5, 0.75));
-  const lamp = new THREE.DirectionalLight(0xffffff, 0.55);
+  scene.add(new THREE.HemisphereLight(0xffffff, 0x8f98a5, 0.62));
+  const lamp = new THREE.DirectionalLight(0xffffff, 0.42);
   scene.add(lamp);
   scene.add(lamp.target);
   renderer.setPixelRatio(window.devicePixelRatio || 1);
