@@ -37,7 +37,7 @@ std::string still_of(const fs::path& run, World& world, const std::string& folde
   if (!render::available() || !fs::exists(run / "record.h5")) return "";
   io::load_frame((run / "record.h5").string(), world, io::frame_count((run / "record.h5").string()) - 1);
   fs::create_directories(folder);
-  const std::string path = (fs::path(folder) / "still.png").string();
+  std::string path = (fs::path(folder) / "still.png").string();
   render::View view;
   view.width = 720;
   view.height = 540;
@@ -47,7 +47,7 @@ std::string still_of(const fs::path& run, World& world, const std::string& folde
 
 // What goes on from a file to its run; empty: another code's output.
 fs::path run_of(const std::string& source) {
-  const fs::path path(source);
+  fs::path path(source);
   if (fs::is_directory(path)) return path;
   return path.extension() == ".h5" ? fs::absolute(path).parent_path() : fs::path();
 }
