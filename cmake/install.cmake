@@ -18,6 +18,7 @@ foreach(layer shapes libcontact libdem)
     PATTERN "data" EXCLUDE
     PATTERN "scenes" EXCLUDE
     PATTERN "cli" EXCLUDE
+    PATTERN "report" EXCLUDE
     PATTERN "validate" EXCLUDE)
 endforeach()
 install(TARGETS dem RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -62,14 +62,6 @@ analysis::Settings settings_of(const AnalyseArguments& a) {
   return s;
 }
 
-std::string folder_of(const AnalyseArguments& a) {
-  if (!a.out.empty()) return a.out;
-  const fs::path source(a.source);
-  if (fs::is_directory(source)) return (source / "analysis").string();
-  if (source.extension() == ".h5") return (source.parent_path() / "analysis").string();
-  return (source.parent_path() / source.stem()).string() + "_analysis";
-}
-
 // What a frame of a region in space cannot be asked of the plane, and the other way round.
 void check_region(const AnalyseArguments& a, const analysis::Snapshot& s) {
   if (!a.region.empty() && (a.region.size() == 6) != (s.dimension == 3))
@@ -132,6 +124,14 @@ void print(const analysis::Writer& writer) {
 
 }  // namespace
 
+std::string folder_of(const AnalyseArguments& a) {
+  if (!a.out.empty()) return a.out;
+  const fs::path source(a.source);
+  if (fs::is_directory(source)) return (source / "analysis").string();
+  if (source.extension() == ".h5") return (source.parent_path() / "analysis").string();
+  return (source.parent_path() / source.stem()).string() + "_analysis";
+}
+
 int analyse_command(const AnalyseArguments& a) {
   const std::vector<const Quantity*> what = asked(a.what);
   analysis::Settings settings = settings_of(a);
@@ -173,6 +173,7 @@ int analyse_command(const AnalyseArguments& a) {
   if (flow != nullptr && !residence.stays().empty()) writer.add_of_all(*flow, residence_table(residence));
   writer.finish();
   progress.end();
+  if (a.silent) return success;
   if (!a.quiet) print(writer);
   fmt::print("{}: {} frame{}, {} quantit{}\n", folder, list.size(), list.size() == 1 ? "" : "s", what.size(),
              what.size() == 1 ? "y" : "ies");

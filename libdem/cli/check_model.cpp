@@ -9,6 +9,7 @@
 #include "libcontact/dispatch.h"
 #include "libcontact/methods/polygon_regions.h"
 #include "libdem/cli/check_parts.h"
+#include "libdem/cli/model_lines.h"
 #include "libdem/detection.h"
 #include "libdem/law_map.h"
 #include "libdem/laws_of_scene.h"
@@ -20,8 +21,13 @@ namespace dem::cli {
 
 namespace {
 
-void print_deformation(const PeriodicSpec& box) {
-  if (box.deform.empty()) line("deformation", "off: no [[periodic.deform]]");
+struct Lines {
+  std::vector<ModelLine> lines;
+  void add(std::string name, std::string text) { lines.push_back({std::move(name), std::move(text)}); }
+};
+
+void add_deformation(const PeriodicSpec& box, Lines& to) {
+  if (box.deform.empty()) to.add("deformation", "off: no [[periodic.deform]]");
   for (const DeformSpec& d : box.deform) {
     std::string text;
     for (int k = 0; k < 3; ++k) {
@@ -32,30 +38,30 @@ void print_deformation(const PeriodicSpec& box) {
     }
     if (d.stress_axes != "none")
       text += fmt::format("; at most {:.6g}/s{}", d.rate_limit, d.isotropic ? ", one rate for all of them" : "");
-    line("deformation", fmt::format("from {:.4g} s on: {}", d.start, text));
+    to.add("deformation", fmt::format("from {:.4g} s on: {}", d.start, text));
   }
 }
 
-void print_space(const World& world) {
+void add_space(const World& world, Lines& to) {
   const Scene& s = world.scene;
   if (s.dimension == 2)
-    line("space", s.disc_model == DiscModel::sphere
-                      ? "2-D: spheres that move in the plane z = 0"
-                      : fmt::format("2-D: prisms of {:.4g} m that move in the plane z = 0", s.thickness));
+    to.add("space", s.disc_model == DiscModel::sphere
+                        ? "2-D: spheres that move in the plane z = 0"
+                        : fmt::format("2-D: prisms of {:.4g} m that move in the plane z = 0", s.thickness));
   else
-    line("space", "3-D");
+    to.add("space", "3-D");
   std::string box;
   for (int k = 0; k < 3; ++k)
     if (world.cell.lattice.length[k] > 0)
       box += fmt::format("{} {} from {:.6g} to {:.6g} m", box.empty() ? "on:" : ",", "xyz"[k], world.cell.lower[k],
                          world.cell.lower[k] + world.cell.lattice.length[k]);
-  line("periodic", box.empty() ? "off: periodic.axes is none" : box);
-  if (!box.empty()) print_deformation(s.periodic);
-  line("gravity", s.gravity == Vec3d{}
-                      ? "off: world.gravity is zero"
-                      : fmt::format("{:.6g} {:.6g} {:.6g} m/s^2", s.gravity.x, s.gravity.y, s.gravity.z));
-  line("drag", s.drag.law == "none" ? "off: drag.law is none"
-                                    : fmt::format("{}, the flow is not changed by the bodies", s.drag.law));
+  to.add("periodic", box.empty() ? "off: periodic.axes is none" : box);
+  if (!box.empty()) add_deformation(s.periodic, to);
+  to.add("gravity", s.gravity == Vec3d{}
+                        ? "off: world.gravity is zero"
+                        : fmt::format("{:.6g} {:.6g} {:.6g} m/s^2", s.gravity.x, s.gravity.y, s.gravity.z));
+  to.add("drag", s.drag.law == "none" ? "off: drag.law is none"
+                                      : fmt::format("{}, the flow is not changed by the bodies", s.drag.law));
 }
 
 // Kinds that contacts see: a body of parts is its parts.
@@ -69,7 +75,7 @@ std::set<shapes::Kind> kinds_in_contact(const World& world) {
   return kinds;
 }
 
-void print_law(const World& world) {
+void add_law(const World& world, Lines& to) {
   const LawSpec& law = world.scene.law;
   const contact::LawNames names = law_names(law);
   // Pairs of materials that can meet in this scene: those of two bodies, or of a body and a wall.
@@ -90,43 +96,43 @@ void print_law(const World& world) {
     return some == pairs ? fmt::format("on ({})", what)
                          : fmt::format("on ({}) in {} of {} pairs of materials", what, some, pairs);
   };
-  line("law", law_title(law));
-  line("normal force", names.normal);
+  to.add("law", law_title(law));
+  to.add("normal force", names.normal);
   if (rough == 0)
-    line("tangential", "off: without friction nothing holds it");
+    to.add("tangential", "off: without friction nothing holds it");
   else
-    line("tangential",
-         world.law.hertzian ? fmt::format("{}, rescale {}", names.tangential, law.rescale) : names.tangential);
-  line("map", law.map == LawMap::edge_radius ? fmt::format("edge_radius, {} m", law.edge_radius) : name_of(law.map));
-  line("rolling", names.rolling == "none" ? "off: no law named" : names.rolling);
-  line("cohesion",
-       names.cohesion == "none" ? world.law.lingers ? "of the normal law" : "off: no law named" : names.cohesion);
+    to.add("tangential",
+           world.law.hertzian ? fmt::format("{}, rescale {}", names.tangential, law.rescale) : names.tangential);
+  to.add("map", law.map == LawMap::edge_radius ? fmt::format("edge_radius, {} m", law.edge_radius) : name_of(law.map));
+  to.add("rolling", names.rolling == "none" ? "off: no law named" : names.rolling);
+  to.add("cohesion",
+         names.cohesion == "none" ? world.law.lingers ? "of the normal law" : "off: no law named" : names.cohesion);
   const std::size_t words = record_words(world);
-  line("memory", words == 0 ? std::string("64 bytes per contact, in one fused kernel")
-                            : fmt::format("{} bytes per contact, one kernel per law", 64 + 8 * words));
-  line("friction", share(rough, "Coulomb", "off: every pair of materials has friction 0"));
-  line("damping",
-       share(damped, law.clip ? "dashpot, contacts end at zero force" : "dashpot, contacts end at zero overlap",
-             "off: every pair has restitution 1"));
+  to.add("memory", words == 0 ? std::string("64 bytes per contact, in one fused kernel")
+                              : fmt::format("{} bytes per contact, one kernel per law", 64 + 8 * words));
+  to.add("friction", share(rough, "Coulomb", "off: every pair of materials has friction 0"));
+  to.add("damping",
+         share(damped, law.clip ? "dashpot, contacts end at zero force" : "dashpot, contacts end at zero overlap",
+               "off: every pair has restitution 1"));
   const std::set<shapes::Kind> kinds = kinds_in_contact(world);
   const bool flat = std::any_of(kinds.begin(), kinds.end(), [](shapes::Kind k) {
     return k == shapes::Kind::polyhedron || k == shapes::Kind::rounded_polyhedron || k == shapes::Kind::polygon;
   });
-  if (flat) line("patches", "on: faces on faces resist rolling and twisting by the area that they share");
+  if (flat) to.add("patches", "on: faces on faces resist rolling and twisting by the area that they share");
   const auto& bodies_of = world.particles.kind;
   if (std::find(bodies_of.begin(), bodies_of.end(), shapes::Kind::compound) != bodies_of.end())
-    line("parts", "on: contacts of parts that join share one stiffness and one history; inner faces give none");
+    to.add("parts", "on: contacts of parts that join share one stiffness and one history; inner faces give none");
   const bool regions =
       std::any_of(world.particles.shape.begin(), world.particles.shape.end(),
                   [&](std::uint32_t shape) { return world.shapes[shape].meets_in_regions(); }) ||
       std::any_of(world.walls.begin(), world.walls.end(), [](const Wall& w) { return w.meets_in_regions(); });
   if (regions)
-    line("regions", fmt::format("on: polygons that are not convex touch in up to {} places of a pair; cuts give none",
-                                contact::max_regions));
+    to.add("regions", fmt::format("on: polygons that are not convex touch in up to {} places of a pair; cuts give none",
+                                  contact::max_regions));
 }
 
 // What some scenes need and the format may not have. Asked of the format, so that a line goes when a key comes.
-void print_absent() {
+void add_absent(Lines& to) {
   constexpr std::array<std::array<const char*, 2>, 6> wanted{{{"rolling", "rolling"},
                                                               {"cohesion", "cohesion"},
                                                               {"liquid", "liquid"},
@@ -137,23 +143,23 @@ void print_absent() {
   for (const auto& [name, stem] : wanted)
     if (!some_key_holds(stem)) absent.emplace_back(name);
   if (!absent.empty())
-    line("not modelled", fmt::format("{}: the scene format has no key for them", fmt::join(absent, ", ")));
+    to.add("not modelled", fmt::format("{}: the scene format has no key for them", fmt::join(absent, ", ")));
 }
 
-void print_drivers(const World& world) {
+void add_drivers(const World& world, Lines& to) {
   std::vector<std::string> moving, gates;
   for (const Wall& w : world.walls) {
     if (w.motion.motion != WallMotion::fixed) moving.push_back(w.name);
     if (std::isfinite(w.motion.remove_at)) gates.push_back(fmt::format("{} at {:.4g} s", w.name, w.motion.remove_at));
   }
   const char* none = world.walls.empty() ? "off: no [[wall]]" : "off: every wall.motion is fixed";
-  line("moving walls", moving.empty() ? none : fmt::format("{}", fmt::join(moving, ", ")));
-  if (!gates.empty()) line("gates", fmt::format("{}", fmt::join(gates, ", ")));
-  line("outlets", world.scene.outlets.empty() ? "off: no [[outlet]]" : fmt::format("{}", world.scene.outlets.size()));
+  to.add("moving walls", moving.empty() ? none : fmt::format("{}", fmt::join(moving, ", ")));
+  if (!gates.empty()) to.add("gates", fmt::format("{}", fmt::join(gates, ", ")));
+  to.add("outlets", world.scene.outlets.empty() ? "off: no [[outlet]]" : fmt::format("{}", world.scene.outlets.size()));
 }
 
 // Which method answers which pair of kinds that the scene has.
-void print_detection(const World& world) {
+void add_detection(const World& world, Lines& to) {
   const std::set<shapes::Kind> bodies = kinds_in_contact(world);
   std::set<shapes::Kind> all = bodies;
   for (const Wall& w : world.walls) all.insert(w.kind);
@@ -170,40 +176,46 @@ void print_detection(const World& world) {
     }
   bool first = true;
   for (const auto& [name, pairs] : methods) {
-    line(first ? "detection" : "", fmt::format("{}: {}", name, fmt::join(pairs, ", ")));
+    to.add(first ? "detection" : "", fmt::format("{}: {}", name, fmt::join(pairs, ", ")));
     first = false;
   }
   if (world.scene.tolerance > 0)
-    line("tolerance",
-         fmt::format("{:.3g} of the smaller circumradius: wider gaps go on to a dearer method", world.scene.tolerance));
+    to.add("tolerance", fmt::format("{:.3g} of the smaller circumradius: wider gaps go on to a dearer method",
+                                    world.scene.tolerance));
 }
 
-void print_output(const World& world) {
+void add_output(const World& world, Lines& to) {
   const OutputSpec& o = world.scene.output;
   const char* files = o.vtk && o.hdf5 ? "frames.pvd, record.h5" : o.vtk ? "frames.pvd" : o.hdf5 ? "record.h5" : nullptr;
-  line("frames", files == nullptr ? "off: output.vtk and output.hdf5 are false"
-                 : o.interval > 0 ? fmt::format("every {:.4g} s ({})", o.interval, files)
-                                  : fmt::format("first and last: output.interval is 0 ({})", files));
+  to.add("frames", files == nullptr ? "off: output.vtk and output.hdf5 are false"
+                   : o.interval > 0 ? fmt::format("every {:.4g} s ({})", o.interval, files)
+                                    : fmt::format("first and last: output.interval is 0 ({})", files));
   const AnalysisSpec& a = world.scene.analysis;
-  line("analysis", a.what.empty() ? "off: no [analysis]"
-                   : a.interval > 0
-                       ? fmt::format("every {:.4g} s: {} (analysis_*.csv)", a.interval, fmt::join(a.what, ", "))
-                       : fmt::format("with the frames: {} (analysis_*.csv)", fmt::join(a.what, ", ")));
-  line("picture", !o.picture             ? "off: output.picture is false"
-                  : !render::available() ? "off: built without Embree"
-                                         : "final.png");
+  to.add("analysis", a.what.empty() ? "off: no [analysis]"
+                     : a.interval > 0
+                         ? fmt::format("every {:.4g} s: {} (analysis_*.csv)", a.interval, fmt::join(a.what, ", "))
+                         : fmt::format("with the frames: {} (analysis_*.csv)", fmt::join(a.what, ", ")));
+  to.add("picture", !o.picture             ? "off: output.picture is false"
+                    : !render::available() ? "off: built without Embree"
+                                           : "final.png");
 }
 
 }  // namespace
 
+std::vector<ModelLine> model_lines(const World& world) {
+  Lines to;
+  add_space(world, to);
+  add_law(world, to);
+  add_drivers(world, to);
+  add_absent(to);
+  add_detection(world, to);
+  add_output(world, to);
+  return std::move(to.lines);
+}
+
 void print_model(const World& world) {
   head("model");
-  print_space(world);
-  print_law(world);
-  print_drivers(world);
-  print_absent();
-  print_detection(world);
-  print_output(world);
+  for (const auto& [name, text] : model_lines(world)) line(name, text);
 }
 
 }  // namespace dem::cli

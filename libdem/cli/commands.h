@@ -69,9 +69,18 @@ struct AnalyseArguments {
   std::optional<long> reference;
   double density = 0, time_step = 0, contact_gap = 0;  // of files of other codes
   int threads = 0;
-  bool quiet = false;
+  bool quiet = false;   // no progress, no table of results
+  bool silent = false;  // nothing at all on stdout
 };
 int analyse_command(const AnalyseArguments& arguments);
+std::string folder_of(const AnalyseArguments& arguments);  // where its results go
+
+struct ReportArguments {
+  AnalyseArguments analyse;
+  std::string page;  // empty: report.html in the folder of the run
+  int max_bodies = 20000;
+};
+int report_command(const ReportArguments& arguments);
 
 struct NewArguments {
   std::string name, from = "two_bodies";

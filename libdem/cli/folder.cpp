@@ -15,7 +15,7 @@ namespace {
 bool is_ours(const std::string& name) {
   static const std::regex ours(
       R"((frames\.pvd|record\.h5|checkpoint-\d+\.bin|final\.csv|summary\.json|discharge\.csv|cell\.csv|walls\.csv|)"
-      R"(analysis_\w+\.csv|final\.png|)"
+      R"(analysis_\w+\.csv|final\.png|report\.html|)"
       R"(frame-\d+\.png|movie\.mp4)(\.part)?)");
   return std::regex_match(name, ours);
 }

@@ -190,6 +190,34 @@ void add_analyse(CLI::App& app, AnalyseArguments& a) {
   add_threads(sub, a.threads);
 }
 
+void add_report(CLI::App& app, ReportArguments& a) {
+  CLI::App* sub =
+      command(app, "report", "One page of a run: figures, numbers, and its bodies to turn.",
+              "  dem report out/hopper\n"
+              "  dem report out/hopper --frames ::5 --what density,coordination --out hopper.html\n"
+              "The analysis in DIR/analysis is used as it is, and made anew where it is missing, older than "
+              "the run, or\n"
+              "--frames or --what is given. The page needs no other file and no network. Figures need "
+              "gnuplot, the view libjs-three.");
+  sub->add_option("source", a.analyse.source, "As of dem analyse")->required()->type_name("DIR|FILE");
+  sub->add_option("--out", a.page,
+                  "The page (default: DIR/report.html, or FILE_report.html); its figures go beside it into "
+                  "FILE_figures")
+      ->type_name("FILE.html");
+  sub->add_option("--frames", a.analyse.frames, "As of dem analyse")->type_name("A:B:S");
+  sub->add_option("--what", a.analyse.what, "As of dem analyse")->delimiter(',')->type_name("LIST|all");
+  sub->add_option("--bodies", a.max_bodies,
+                  "About as many in the view at most; of more one in k, spread over their ids")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  sub->add_option("--density", a.analyse.density, "Of other codes' bodies without mass, kg/m^3")
+      ->check(CLI::PositiveNumber);
+  sub->add_option("--time-step", a.analyse.time_step, "Of other codes' dumps that count steps, s")
+      ->check(CLI::PositiveNumber);
+  sub->add_flag("--quiet", a.analyse.quiet, "No progress");
+  add_threads(sub, a.analyse.threads);
+}
+
 void add_validate(CLI::App& app, ValidateArguments& a) {
   CLI::App* sub =
       command(app, "validate", "Run shipped scenes and compare them with exact answers and published numbers.",
@@ -238,6 +266,7 @@ int run_program(int argc, char** argv) {
   LawArguments law;
   RenderArguments render;
   AnalyseArguments analyse;
+  ReportArguments report;
   ValidateArguments validate;
   NewArguments new_scene;
   std::string size = "1200x900", key;
@@ -249,6 +278,7 @@ int run_program(int argc, char** argv) {
   add_law(app, law);
   add_render(app, render, size);
   add_analyse(app, analyse);
+  add_report(app, report);
   add_validate(app, validate);
   add_new(app, new_scene);
   command(app, "schema", "Print the scene format as JSON Schema (draft 2020-12), for editors.",
@@ -269,6 +299,7 @@ int run_program(int argc, char** argv) {
   if (app.got_subcommand("contact")) return contact_command(contact);
   if (app.got_subcommand("law")) return law_command(law);
   if (app.got_subcommand("analyse")) return analyse_command(analyse);
+  if (app.got_subcommand("report")) return report_command(report);
   if (app.got_subcommand("validate")) return validate_command(validate);
   if (app.got_subcommand("new")) return new_command(new_scene);
   if (app.got_subcommand("schema")) return schema_command();

@@ -22,12 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string quoted(const std::string& path) {  // for the shell
-  std::string out = "'";
-  for (const char c : path) out += c == '\'' ? "'\\''" : std::string(1, c);
-  return out + "'";
-}
-
 constexpr int frames_per_second = 25;
 constexpr const char* encoding = "-c:v libx264 -pix_fmt yuv420p -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2'";
 
@@ -38,7 +32,7 @@ class Movie {
     std::signal(SIGPIPE, SIG_IGN);  // an encoder that dies shows as a failed write
     const std::string command =
         fmt::format("ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgb24 -s {}x{} -r {} -i - {} {}", view.width,
-                    view.height, frames_per_second, encoding, quoted(path));
+                    view.height, frames_per_second, encoding, io::shell_quoted(path));
     pipe_ = popen(command.c_str(), "w");
     if (!pipe_) throw RunError("ffmpeg does not start");
   }
@@ -100,7 +94,7 @@ int movie(const RenderArguments& arguments, World& world, render::View view, con
   fmt::print("{}/frame-00000.png … frame-{:05}.png\n", arguments.folder, frames - 1);
   fmt::print(stderr,
              "ffmpeg is not installed; where it is, make the movie with:\n  ffmpeg -r {} -i {}/frame-%05d.png {} {}\n",
-             frames_per_second, quoted(arguments.folder), encoding, quoted(path));
+             frames_per_second, io::shell_quoted(arguments.folder), encoding, io::shell_quoted(path));
   return success;
 }
 

@@ -1,6 +1,7 @@
 #include "libdem/io/programs.h"
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -27,6 +28,23 @@ void run_gnuplot(const std::string& commands) {
   if (!pipe) throw RunError("gnuplot does not start");
   const bool written = std::fwrite(commands.data(), 1, commands.size(), pipe) == commands.size();
   if (pclose(pipe) != 0 || !written) throw RunError("gnuplot failed");
+}
+
+Said run_in(const std::string& folder, const std::string& program, const std::string& file) {
+  const std::string command = "cd " + shell_quoted(folder) + " && " + program + " " + shell_quoted(file) + " 2>&1";
+  std::FILE* pipe = popen(command.c_str(), "r");
+  if (!pipe) throw RunError(program + " does not start");
+  Said said;
+  std::array<char, 4096> part{};
+  while (const std::size_t n = std::fread(part.data(), 1, part.size(), pipe)) said.text.append(part.data(), n);
+  said.succeeded = pclose(pipe) == 0;
+  return said;
+}
+
+std::string shell_quoted(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? "'\\''" : std::string(1, c);
+  return out + "'";
 }
 
 std::string gnuplot_quoted(const std::string& text) {
