@@ -18,12 +18,6 @@ using shapes::Kind;
 
 double smaller(const Body& a, const Body& b) { return std::min(circumradius(a), circumradius(b)); }
 
-OverlapDepth scaled(OverlapDepth d, double up) {
-  d.depth *= up;
-  d.point *= up;
-  d.screw *= up;
-  return d;
-}
 bool polyhedra(const Body& a, const Body& b, const Vec3d& offset, const Vec3d& towards, OverlapDepth& out) {
   double up = 1;
   const PlacedPolyhedra placed =
@@ -32,7 +26,8 @@ bool polyhedra(const Body& a, const Body& b, const Vec3d& offset, const Vec3d& t
   DepthSlope slope;
   const Vec3d n = transposed_times(a.rotation, towards);
   if (!depth_slope(overlap_body(placed.pair, n), smaller(a, b) / up, slope)) return false;
-  out = scaled(rotated(line_of_action(slope), a.rotation), up);
+  out = rotated(line_of_action(slope), a.rotation);
+  rescale(out, up);
   return true;
 }
 
@@ -46,7 +41,8 @@ bool polyhedron_plane(const Body& a, const Vec3d& wall, double above, OverlapDep
   const OverlapBody& body = overlap_body(shape, a.size.x * unit.down, n, -height * unit.down);
   DepthSlope slope;
   if (!depth_slope(body, size * unit.down, slope)) return false;
-  out = scaled(rotated(line_of_action(slope), a.rotation), unit.up);
+  out = rotated(line_of_action(slope), a.rotation);
+  rescale(out, unit.up);
   return true;
 }
 
@@ -62,7 +58,8 @@ bool finish(const Corners& region, double size, double up, OverlapDepth& out) {
   overlap.add(region, [](std::uint32_t side) { return side; });
   DepthSlope slope;
   if (!overlap.slope(size, slope)) return false;
-  out = scaled(line_of_action(slope), up);
+  out = line_of_action(slope);
+  rescale(out, up);
   return true;
 }
 
@@ -89,12 +86,6 @@ bool polygon_line(const Body& a, const Vec3d& wall, double height, OverlapDepth&
   cut(outline(p, placement(contact::placed<shapes::Polygon>(a), unit.down, {})), wall, -height * unit.down,
       PlanarOverlap::of_b, below);
   return finish(below, size * unit.down, unit.up, out);
-}
-
-// The answer of (b, a, −offset) as that of (a, b, offset).
-void exchange(OverlapDepth& d, const Vec3d& offset) {
-  d.normal = -d.normal;
-  d.point += offset;
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include "libcontact/methods/clip.h"
 #include "libcontact/methods/clip_volume.h"
 #include "libcontact/methods/method.h"
-#include "libcontact/methods/overlap_moments.h"
 #include "libcontact/methods/planar_outline.h"
 #include "libcontact/scale.h"
 #include "shapes/math/arc_tangent.h"
@@ -19,6 +18,8 @@ namespace {
 using shapes::Kind;
 
 constexpr double pi = std::numbers::pi;
+// A rim shorter than this of the overlap's bodies, squared where it is an area, has no direction but that of rounding.
+constexpr double least_section = 0x1p-40;
 // α − sin α cos α, the area of a unit disc beyond the line at cos α = 1 − h.
 double unit_segment(double h) {
   const double s = std::sqrt(h * (2 - h)), c = 1 - h;

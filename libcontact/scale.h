@@ -57,6 +57,11 @@ inline double length_and_direction(const Vec3d& v, Vec3d& direction) {
 }
 
 // Every length of an answer times a power of two.
+inline void rescale(OverlapDepth& d, double up) {
+  d.depth *= up;
+  d.point *= up;
+  d.screw *= up;
+}
 inline void rescale(Contact& c, double up) {
   c.gap *= up;
   c.gap_lower *= up;
@@ -68,9 +73,7 @@ inline void rescale(Contact& c, double up) {
   c.patch.weight = c.patch.weight * up * up * up;
   c.method_overlap *= up;
   c.method_point *= up;
-  c.measure.depth *= up;
-  c.measure.point *= up;
-  c.measure.screw *= up;
+  rescale(c.measure, up);
 }
 
 }  // namespace contact

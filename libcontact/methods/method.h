@@ -145,6 +145,10 @@ inline bool seen_from_b(const Vec3d& offset) {
 }
 
 // The answer of (b, a, −offset) as the answer of (a, b, offset).
+inline void exchange(OverlapDepth& d, const Vec3d& offset) {
+  d.normal = -d.normal;
+  d.point += offset;
+}
 inline void exchange(Contact& c, const Vec3d& offset) {
   c.normal = -c.normal;
   c.method_normal = -c.method_normal;
@@ -154,8 +158,7 @@ inline void exchange(Contact& c, const Vec3d& offset) {
   c.point_a = point_a;
   c.patch.centre += offset;
   c.method_point += offset;
-  c.measure.normal = -c.measure.normal;
-  c.measure.point += offset;
+  exchange(c.measure, offset);
 }
 inline Contact exchanged(Contact c, const Vec3d& offset) {
   exchange(c, offset);

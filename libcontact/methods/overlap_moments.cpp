@@ -3,6 +3,8 @@
 #include <cmath>
 #include <vector>
 
+#include "libcontact/methods/depth_spread.h"
+
 namespace contact {
 
 namespace {
@@ -12,13 +14,7 @@ using Face = OverlapBody::Face;
 // Axes with n last.
 struct Axes {
   Vec3d t, s, n;
-  explicit Axes(const Vec3d& normal) : n(normal) {
-    const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
-    const Vec3d across = x <= y && x <= z ? Vec3d{1, 0, 0} : y <= z ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
-    t = cross(across, n);
-    t *= 1 / norm(t);
-    s = cross(n, t);
-  }
+  explicit Axes(const Vec3d& normal) : n(normal) { tangent_frame(n, t, s); }
   Vec3d operator()(const Vec3d& x) const { return {dot(t, x), dot(s, x), dot(n, x)}; }
 };
 
@@ -94,24 +90,18 @@ bool depth_slope(const OverlapBody& body, double size, DepthSlope& out) {
   const Vec3d c = w * m.first;
   const double xx = w * m.xx - c.x * c.x, yy = w * m.yy - c.y * c.y, xy = w * m.xy - c.x * c.y;
   const double xz = w * m.xz - c.x * c.z, yz = w * m.yz - c.y * c.z, zz = w * m.zz - c.z * c.z;
-  const double determinant = xx * yy - xy * xy;
-  if (!(determinant > 0x1p-100 * (xx * yy))) return false;
-  const double bx = (yy * xz - xy * yz) / determinant, by = (xx * yz - xy * xz) / determinant;  // β
-  const double variance = zz - bx * xz - by * yz;                                               // (2)
-  if (!(variance > 0)) return false;
+  Tilt tilt;
+  if (!find_tilt(xx, yy, zz, xy, xz, yz, tilt)) return false;
+  const double variance = tilt.variance;
   for (std::size_t i = 0; i < count; ++i) {
     places[i] -= c;
-    residuals[i] = places[i].z - bx * places[i].x - by * places[i].y;
+    residuals[i] = places[i].z - tilt.u * places[i].x - tilt.v * places[i].y;
   }
 
   out.depth = std::sqrt(12 * variance);  // (1)
   if (!(out.depth > least_depth * size)) return false;
   const double scale = out.depth / (2 * variance * m.volume), turn = out.depth / section;
-  Vec3d force{}, moment{};  // along the axes
-  const auto press = [&](double weight, const Vec3d& at, const Vec3d& normal) {
-    force -= weight * normal;
-    moment -= weight * cross(at, normal);
-  };
+  Vec3d force{}, moment{};              // along the axes
   for (const Face& f : body.faces()) {  // (4)
     if (!f.of_other) continue;
     const Vec3d normal = axes(f.normal);
@@ -121,16 +111,10 @@ bool depth_slope(const OverlapBody& body, double size, DepthSlope& out) {
     double sum = 0;
     for (std::uint32_t k = 2; k < f.count; ++k) {
       const std::uint32_t l = body.name(f, k);
-      const double x = residuals[i], y = residuals[j], z = residuals[l], squares = x * x + y * y + z * z,
-                   total = x + y + z;
       const double area = 0.5 * dot(normal, cross(places[j] - places[i], places[l] - places[i]));
-      // ∫λ (r² − σ²) over the triangle, λ the weight of a corner.
-      const auto part = [&](double own, double others) {
-        return area * ((squares + 2 * own * total + others) / 30 - variance / 3);
-      };
-      const double wi = part(x, y * z), wj = part(y, x * z), wl = part(z, x * y);
-      sum += wi + wj + wl;
-      at += wi * places[i] + wj * places[j] + wl * places[l];
+      const CornerWeights at_corner(area, residuals[i], residuals[j], residuals[l], variance);
+      sum += at_corner.sum();
+      at += at_corner.a * places[i] + at_corner.b * places[j] + at_corner.c * places[l];
       j = l;
     }
     force -= (scale * sum) * normal;
@@ -139,7 +123,7 @@ bool depth_slope(const OverlapBody& body, double size, DepthSlope& out) {
   for (const Face& f : body.faces()) {  // the rim: sides that a face of self has in common with one of other
     if (f.of_other) continue;
     const Vec3d normal = axes(f.normal);
-    const double slope = turn * (bx * normal.x + by * normal.y);
+    const double slope = turn * (tilt.u * normal.x + tilt.v * normal.y);
     if (slope == 0) continue;
     for (std::uint32_t k = 0; k < f.count; ++k) {
       const std::uint32_t i = body.name(f, k), j = body.name(f, k + 1 == f.count ? 0 : k + 1);
@@ -147,7 +131,10 @@ bool depth_slope(const OverlapBody& body, double size, DepthSlope& out) {
       if (g == nullptr) continue;
       const Vec3d across = axes(g->normal);
       const double sine = norm(cross(normal, across));
-      if (sine > 0) press(slope / sine * norm(places[j] - places[i]), 0.5 * (places[i] + places[j]), across);
+      if (!(sine > 0)) continue;
+      const double weight = slope / sine * norm(places[j] - places[i]);
+      force -= weight * across;
+      moment -= weight * cross(0.5 * (places[i] + places[j]), across);
     }
   }
   const auto back = [&](const Vec3d& x) { return axes.t * x.x + axes.s * x.y + axes.n * x.z; };

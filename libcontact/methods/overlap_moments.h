@@ -5,9 +5,6 @@
 
 namespace contact {
 
-// A rim shorter than this of the pair's size, squared where it is an area, has no direction but that of rounding.
-inline constexpr double least_section = 0x1p-40;
-
 // Lengths and axes of the body's frame.
 struct DepthSlope {
   double depth = 0;  // d

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "libcontact/methods/depth_spread.h"
 #include "libcontact/methods/overlap_moments.h"
 
 namespace contact {
@@ -50,23 +51,18 @@ bool PlaneOverlap::slope(const PlaneFrame& plane, double size, OverlapDepth& out
   const double w = 1 / h, u = w * uh, v = w * vh, z = 0.5 * w * hh;
   const double uu = w * uuh - u * u, vv = w * vvh - v * v, uv = w * uvh - u * v;
   const double uz = 0.5 * w * uhh - u * z, vz = 0.5 * w * vhh - v * z, zz = w * hhh / 3 - z * z;
-  const double determinant = uu * vv - uv * uv;
-  if (!(determinant > 0x1p-100 * (uu * vv))) return false;
-  const double bu = (vv * uz - uv * vz) / determinant, bv = (uu * vz - uv * uz) / determinant;  // β
-  const double variance = zz - bu * uz - bv * vz;                                               // (2)
-  if (!(variance > 0)) return false;
+  Tilt tilt;
+  if (!find_tilt(uu, vv, zz, uv, uz, vz, tilt)) return false;
+  const double variance = tilt.variance;
   double sum = 0, along_u = 0, along_v = 0;  // ∫(r² − σ²) (1, u, v) over the plane
   each_triangle([&](double area, const DepthPoint& a, const DepthPoint& b, const DepthPoint& c) {
-    const auto residual = [&](const DepthPoint& p) { return z + bu * (p.u - u0 - u) + bv * (p.v - v0 - v); };  // −r
-    const double ra = residual(a), rb = residual(b), rc = residual(c);
-    const double squares = ra * ra + rb * rb + rc * rc, total = ra + rb + rc;
-    const auto part = [&](double own, double products) {
-      return area * ((squares + 2 * own * total + products) / 30 - variance / 3);
-    };
-    const double wa = part(ra, rb * rc), wb = part(rb, ra * rc), wc = part(rc, ra * rb);
-    sum += wa + wb + wc;
-    along_u += wa * (a.u - u0) + wb * (b.u - u0) + wc * (c.u - u0);
-    along_v += wa * (a.v - v0) + wb * (b.v - v0) + wc * (c.v - v0);
+    const auto residual = [&](const DepthPoint& p) {
+      return z + tilt.u * (p.u - u0 - u) + tilt.v * (p.v - v0 - v);
+    };  // −r
+    const CornerWeights at_corner(area, residual(a), residual(b), residual(c), variance);
+    sum += at_corner.sum();
+    along_u += at_corner.a * (a.u - u0) + at_corner.b * (b.u - u0) + at_corner.c * (c.u - u0);
+    along_v += at_corner.a * (a.v - v0) + at_corner.b * (b.v - v0) + at_corner.c * (c.v - v0);
   });
   if (!(sum > 0)) return false;
   out.depth = std::sqrt(12 * variance);  // (1)

@@ -146,8 +146,8 @@ class PolygonPair {
         region.push_back(c);
         if (c.side != no_edge && !(c.x == next.x)) consider(c.side);
       }
-      if (!options.patch) return;
-      moments.add(region);
+      if (options.patch) moments.add(region);
+      if (!options.measure) return;
       overlap.add(region, [](std::uint32_t side) {
         return side == no_edge ? PlanarOverlap::of_cut : side % 2 == 0 ? PlanarOverlap::of_a : PlanarOverlap::of_b;
       });
@@ -225,10 +225,10 @@ std::size_t line_regions(const Placed<Polygon>& a, const Placed<shapes::Line>& b
         if (const double d = level - dot(m, x); d > deepest.value) deepest = {d, x};
         part.push_back({x, PlanarOverlap::of_a});
       }
-      if (!options.patch) continue;
+      if (!options.patch && !options.measure) continue;
       cut(part, m, level, PlanarOverlap::of_b, region);
-      moments.add(region);
-      overlap.add(region, [](std::uint32_t side) { return side; });
+      if (options.patch) moments.add(region);
+      if (options.measure) overlap.add(region, [](std::uint32_t side) { return side; });
     }
     if (!(deepest.value > 0)) continue;
     Contact c = region_answer(-deepest.value, size, -m, deepest.corner, deepest.corner + deepest.value * m);

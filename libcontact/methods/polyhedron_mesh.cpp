@@ -318,9 +318,7 @@ Contact Features::query(const Placed<shapes::Polyhedron>& a, const Placed<shapes
               : overlap.slope(plane, radius * unit.down, depth)) {
       if (!whole) depth.point -= solid.centre;
       c.measure = rotated(depth, b.rotation);
-      c.measure.depth *= unit.up;
-      c.measure.point *= unit.up;
-      c.measure.screw *= unit.up;
+      rescale(c.measure, unit.up);
     }
   }
   return c;
