@@ -92,6 +92,11 @@ void add_particle(World& world, std::uint32_t shape, std::uint32_t material, dou
   ++world.counters.inserted;
 }
 
+double inscribed_radius(const World& world, std::size_t i) {
+  const ShapeEntry& e = world.shapes[world.particles.shape[i]];
+  return e.inscribed_radius * (world.particles.motion[i].bounding_radius / e.circumradius);
+}
+
 void set_mass(World& world, std::size_t i, double scale) {
   Particles& p = world.particles;
   const ShapeEntry& s = world.shapes[p.shape[i]];

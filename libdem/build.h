@@ -41,6 +41,8 @@ Stiffness contact_stiffness(const World& world, std::size_t record);
 double contact_damping(const World& world, std::size_t record);
 // What the body of a touching contact with a wall opposes to the wall's speed: (1 + 2β) sqrt(kn m), N s/m.
 double contact_resistance(const World& world, std::size_t record);
+// Of a ball inside the body's shape, about its origin, m.
+double inscribed_radius(const World& world, std::size_t particle);
 // Of a touching contact: midway in the overlap, or the centre of its patch; world coordinates, m.
 Vec3d contact_point(const World& world, std::size_t record);
 // The limit of a contact by itself at an overlap that it has or had, s.

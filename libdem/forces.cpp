@@ -284,11 +284,7 @@ class PairPass : public ForcePass {
     if (bin.regions) return false;
     if (dot(c_.history[k].normal, q.normal) < -0.9) return true;
     if (!by_depth_ || bin.a != shapes::Kind::polyhedron || bin.b != shapes::Kind::polyhedron) return false;
-    const auto inscribed = [&](std::uint32_t i) {
-      const ShapeEntry& e = world_.shapes[p_.shape[i]];
-      return e.inscribed_radius * (p_.motion[i].bounding_radius / e.circumradius);
-    };
-    return -q.gap > 0.9 * (inscribed(c_.index_a[k]) + inscribed(c_.index_b[k]));
+    return -q.gap > 0.9 * (inscribed_radius(world_, c_.index_a[k]) + inscribed_radius(world_, c_.index_b[k]));
   }
 
   // The overlap of flat faces as the potential of overlap_depth.h has it. False: of round bodies, of a method's own

@@ -260,6 +260,7 @@ void CompoundPass::act(Working& w, Scratch& s, Tally& t) const {
   LawChunk& l = s.law;
   const auto materials = static_cast<std::uint32_t>(world_.materials.size());
   std::size_t n = 0;
+  s.gained = false;
   for (const Meet& m : w.meets) {
     // Across a gap a contact keeps the share that it parted with.
     const double share = m.touches ? m.contact.share : m.holds ? c_.share[m.record] : 0;
@@ -286,12 +287,10 @@ void CompoundPass::act(Working& w, Scratch& s, Tally& t) const {
     s.record[n] = m.record;
     ++t.touching;
     if (++n == chunk_size) {
-      s.gained = true;
       finish(n, true, s);
       n = 0;
     }
   }
-  s.gained = true;
   if (n > 0) finish(n, true, s);
 }
 

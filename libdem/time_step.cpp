@@ -37,7 +37,7 @@ Compliance compliance(const World& world, std::size_t i) {
   const bool sphere = is_round(p.kind[i]);
   // Across the body's longest line the lever of a normal force is at most half the difference to the inscribed sphere;
   // a body of parts may be hollow there.
-  const double inscribed = world.shapes[p.shape[i]].inscribed_radius * (r / world.shapes[p.shape[i]].circumradius);
+  const double inscribed = inscribed_radius(world, i);
   const bool convex = p.kind[i] != shapes::Kind::compound;
   const double arm2 = sphere ? 0 : r * r - (convex ? inscribed * inscribed : 0);
   return {m.inverse_mass + arm2 / smallest, m.inverse_mass + r * r / smallest, m.inverse_mass, 1 / smallest};

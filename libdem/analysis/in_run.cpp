@@ -25,17 +25,12 @@ std::vector<std::string> split(std::string_view text, std::string_view between) 
   }
 }
 
-std::string read_all(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 }  // namespace
 
 GrowingSeries::GrowingSeries(std::string path, bool append, double time) : path_(std::move(path)) {
   columns_ = {{"time", "s"}, {"step", "1"}};
   if (append) {
-    const std::string text = read_all(path_);
+    const std::string text = io::read_file(path_);
     std::vector<std::string> lines = split(text, "\n");
     lines.pop_back();  // half a line of a run that was killed, or nothing
     if (lines.size() >= 2 && lines[0].starts_with(units_mark)) {
@@ -88,7 +83,7 @@ void GrowingSeries::add(double time, std::uint64_t step, const Result& result) {
   row += "\n";
   last_ = cells[0];
   if (columns_.size() > before) {  // rows so far have empty cells there
-    std::vector<std::string> lines = split(read_all(path_), "\n");
+    std::vector<std::string> lines = split(io::read_file(path_), "\n");
     lines.pop_back();
     for (std::size_t l = 2; l < lines.size(); ++l)
       rows_ += lines[l] + std::string(columns_.size() - before, ',') + "\n";

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "libdem/cli/commands.h"
 #include "libdem/io/files.h"
@@ -18,11 +16,6 @@ namespace dem::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string read_text(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 // Where each text value of a key of type file, or an included file, stands.
 void collect_files(const Section& section, const Node& table, std::vector<const Node*>& out) {
@@ -46,7 +39,7 @@ std::size_t offset_of(const std::string& text, const Position& position) {
 
 // The text of a scene that will stand elsewhere: paths relative to its folder become absolute, the rest stays as it is.
 std::string with_absolute_paths(const std::string& path) {
-  std::string text = read_text(path);
+  std::string text = io::read_file(path);
   const Node root = read_toml_file(path);
   std::vector<const Node*> files;
   collect_files(schema(), root, files);

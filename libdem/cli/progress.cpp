@@ -16,6 +16,18 @@ bool stderr_has_color() {
   return stderr_is_terminal() && !(refused && *refused);
 }
 
+namespace {
+
+// A line of the terminal over the one before, of at most `width` columns without colour.
+void write_over(const std::string& line, int width) {
+  if (stderr_has_color())
+    fmt::print(stderr, "\r\033[K\033[36m{}\033[0m", line);
+  else
+    fmt::print(stderr, "\r{:<{}}", line, width);
+}
+
+}  // namespace
+
 std::string duration_text(double seconds) {
   if (!(seconds >= 0 && seconds < 1e9)) return "unknown";
   if (seconds < 10) return fmt::format("{:.1f} s", seconds);
@@ -53,12 +65,10 @@ void Progress::show(const World& world) {
   const std::string line = fmt::format("{:5.1f} %  t = {:.4g} s  {} particles  {}steps/s  {}particle-steps/s  {} left",
                                        share, world.time(), world.particles.count(), rate_text(rate),
                                        rate_text(seconds > 0 ? particle_steps_ / seconds : 0), duration_text(left));
-  if (!terminal_)
-    fmt::print(stderr, "{}\n", line);
-  else if (stderr_has_color())
-    fmt::print(stderr, "\r\033[K\033[36m{}\033[0m", line);
+  if (terminal_)
+    write_over(line, 100);
   else
-    fmt::print(stderr, "\r{:<100}", line);
+    fmt::print(stderr, "{}\n", line);
   std::fflush(stderr);
 }
 
@@ -81,10 +91,7 @@ void WorkProgress::show(std::size_t done, const std::string& what) {
   const double left = done > 0 ? seconds / share * static_cast<double>(pieces_ - done) : -1;
   const std::string line =
       fmt::format("{:5.1f} %  {}  {} left", 100 * share / static_cast<double>(pieces_), what, duration_text(left));
-  if (stderr_has_color())
-    fmt::print(stderr, "\r\033[K\033[36m{}\033[0m", line);
-  else
-    fmt::print(stderr, "\r{:<80}", line);
+  write_over(line, 80);
   std::fflush(stderr);
 }
 

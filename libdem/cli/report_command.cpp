@@ -2,12 +2,11 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "libdem/cli/commands.h"
 #include "libdem/cli/folder.h"
 #include "libdem/cli/model_lines.h"
+#include "libdem/io/files.h"
 #include "libdem/io/io.h"
 #include "libdem/render/render.h"
 #include "libdem/report/listing.h"
@@ -24,11 +23,6 @@ bool stands(const fs::path& analysis, const std::string& source) {
   if (!report::is_complete(analysis.string())) return false;
   std::error_code failed;
   return fs::last_write_time(analysis / "analysis.json", failed) >= fs::last_write_time(source, failed) && !failed;
-}
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 // The picture that the run has made, else one of its last frame; empty: there is none.
@@ -84,7 +78,7 @@ int report_command(const ReportArguments& a) {
     World world = build_world(scene_of_run(run.string()));
     input.run = run.string();
     input.title = world.scene.title;
-    input.scene = text_of(run / "scene.toml");
+    input.scene = io::read_file(run / "scene.toml");
     for (const auto& [name, text] : model_lines(world)) input.model.emplace_back(name, text);
     input.still = still_of(run, world, report::figures_folder(input.page));
   }

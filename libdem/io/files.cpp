@@ -6,6 +6,8 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "libdem/world.h"
 
@@ -50,6 +52,11 @@ class Descriptor {
 };
 
 }  // namespace
+
+std::string read_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
 
 void write_file(const std::string& path, std::span<const std::uint8_t> bytes, Durability durability) {
   const std::string aside = path + ".part";

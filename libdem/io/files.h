@@ -1,4 +1,4 @@
-// Files that are either whole or not there: written aside, then renamed.
+// Whole files: read at once; written aside, then renamed, so that they are either whole or not there.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +13,9 @@ enum class Durability {
   renamed,  // whole for every reader, though a power cut may lose it
   synced,   // also on the disk, and so is its name
 };
+
+// All bytes of a file; empty when it cannot be read.
+std::string read_file(const std::string& path);
 
 // Replaces `path` by the bytes; RunError with the path and the system's reason when that fails.
 void write_file(const std::string& path, std::span<const std::uint8_t> bytes, Durability durability);

@@ -17,6 +17,7 @@
 #include "libdem/build.h"
 #include "libdem/io/hdf5.h"
 #include "libdem/io/io.h"
+#include "libdem/law_map.h"
 
 namespace dem::io {
 
@@ -207,7 +208,8 @@ void get_contacts(const hdf5::File& file, const std::string& at, World& world) {
   }
   if (file.has(at + "/memory") && !a.empty()) {
     c.memory = file.get<double>(at + "/memory");
-    c.words = c.memory.size() / a.size();
+    c.words = record_words(world);
+    if (c.memory.size() != c.words * a.size()) throw RunError("the record's frame " + at + " is damaged: memory");
   }
   c.touching.assign(a.size(), 1);
   world.contacts = std::move(c);

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include "libdem/io/files.h"
 #include "libdem/io/programs.h"
@@ -103,8 +102,7 @@ std::vector<Figure> draw_figures(std::vector<Figure> figures, const std::string&
   std::vector<Figure> drawn;
   for (Figure& f : figures) {
     const io::Said said = io::run_in(folder, "gnuplot", f.name + ".gp");
-    std::ifstream file(fs::path(folder) / (f.name + ".svg"));
-    f.svg = svg_in_page({std::istreambuf_iterator<char>(file), {}}, f.name);
+    f.svg = svg_in_page(io::read_file(fs::path(folder) / (f.name + ".svg")), f.name);
     if (said.succeeded && !f.svg.empty()) {
       drawn.push_back(std::move(f));
       continue;

@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "libdem/io/files.h"
 #include "libdem/report/assets.h"
@@ -28,10 +26,10 @@ std::string section(const char* id, const std::string& title, const std::string&
 }
 
 std::string still_html(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(in), {}};
+  const std::string bytes = io::read_file(file);
   if (bytes.empty()) return note("there is no picture of the run either");
-  return "<img class=\"still\" alt=\"the last state\" src=\"data:image/png;base64," + base64(bytes) + "\">\n";
+  return "<img class=\"still\" alt=\"the last state\" src=\"data:image/png;base64," +
+         base64({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}) + "\">\n";
 }
 
 std::string view_html(const Three& three, const ViewData& view, const std::string& still) {

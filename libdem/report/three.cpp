@@ -2,20 +2,15 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <vector>
+
+#include "libdem/io/files.h"
 
 namespace dem::report {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 // A script in a page ends at the first "</script".
 bool fits(const std::string& script) { return !script.empty() && script.find("</script") == std::string::npos; }
@@ -26,7 +21,8 @@ Three find_three() {
   std::vector<fs::path> folders{"/usr/share/javascript/three", "/usr/share/nodejs/three"};
   if (const char* named = std::getenv("DEM_THREE"); named != nullptr && *named != 0) folders = {named};
   for (const fs::path& folder : folders) {
-    Three three{text_of(folder / "build/three.min.js"), text_of(folder / "examples/js/controls/OrbitControls.js"), ""};
+    Three three{io::read_file(folder / "build/three.min.js"),
+                io::read_file(folder / "examples/js/controls/OrbitControls.js"), ""};
     if (fits(three.library) && fits(three.controls)) return three;
     if (!three.library.empty())
       return {"", "",
