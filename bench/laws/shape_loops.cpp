@@ -43,12 +43,7 @@ std::vector<Loop> loops_of(Arena& arena, const SamplePair& pair, std::uint64_t s
   std::vector<Loop> list;
   shapes::Random random(seed, 17, 0);
   for (const Style& style : styles) {
-    Vec3d along = planar ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
-    Quatd rest;
-    if (!pair.resting.is_wall()) {
-      rest = planar ? random.turn() : random.rotation();
-      along = planar ? rotate(random.turn(), Vec3d{1, 0, 0}) : random.direction();
-    }
+    const auto [along, rest] = loops::random_meeting(planar, pair.resting.is_wall(), random);
     arena.rest(rest);
     const auto path = loops::random_path(arena, along, planar, style, samples::size, random);
     list.emplace_back(path, rest, style.parts, most_steps_conserving);

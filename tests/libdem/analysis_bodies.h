@@ -17,17 +17,6 @@ inline ShapeSpec rounded(ShapeSpec s, double rounding) {
   s.rounding = rounding;
   return s;
 }
-inline ShapeSpec potential(const std::string& name, const std::vector<std::array<double, 4>>& planes, double k,
-                           double r, double R) {
-  ShapeSpec s;
-  s.name = name;
-  s.kind = "potential_particle";
-  s.half_spaces = planes;
-  s.k = k;
-  s.r = r;
-  s.R = R;
-  return s;
-}
 
 // Shapes of space; those of the first `symmetric` of the list are their own image in their centre.
 inline std::vector<ShapeSpec> shapes_of_space(std::size_t& symmetric) {

@@ -5,17 +5,11 @@
 
 #include "libdem/analysis/coordination.h"
 #include "libdem/rattlers.h"
+#include "tests/libdem/analysis_result.h"
 #include "tests/libdem/analysis_sets.h"
 
 namespace dem::analysis {
 namespace {
-
-double scalar(const Result& r, const std::string& name) {
-  for (const Scalar& s : r.scalars)
-    if (s.name == name) return s.value;
-  ADD_FAILURE() << "no scalar " << name;
-  return -1;
-}
 
 TEST(AnalysisCoordination, Lattices) {
   const std::pair<Snapshot, double> lattices[] = {{sets::simple_cubic(), 6},  {sets::body_centred(), 8},

@@ -4,18 +4,12 @@
 #include "libdem/analysis/density.h"
 #include "tests/libdem/analysis_bodies.h"
 #include "tests/libdem/analysis_lattices.h"
+#include "tests/libdem/analysis_result.h"
 
 namespace dem::analysis {
 namespace {
 
 Domain cell_of(const Snapshot& s) { return {s.lower, s.lower + s.length}; }
-
-double scalar(const Result& r, const std::string& name) {
-  for (const Scalar& x : r.scalars)
-    if (x.name == name) return x.value;
-  ADD_FAILURE() << "no scalar " << name;
-  return 0;
-}
 
 TEST(AnalysisDensity, BoxesOfWholeUnitCellsHaveTheDensityOfTheLattice) {
   for (const Lattice& l : lattices())

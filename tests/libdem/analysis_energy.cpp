@@ -3,6 +3,7 @@
 
 #include "libdem/analysis/energy.h"
 #include "libdem/analysis/velocity.h"
+#include "tests/libdem/analysis_result.h"
 #include "tests/libdem/io_world.h"
 #include "tests/libdem/scenes_in_code.h"
 #include "tests/libdem/scenes_planar.h"
@@ -12,12 +13,6 @@ namespace {
 using namespace dem;
 using namespace dem::analysis;
 
-double scalar(const Result& r, const std::string& name) {
-  for (const Scalar& s : r.scalars)
-    if (s.name == name) return s.value;
-  ADD_FAILURE() << "no scalar " << name;
-  return 0;
-}
 bool has(const Result& r, const std::string& name) {
   return std::any_of(r.scalars.begin(), r.scalars.end(), [&](const Scalar& s) { return s.name == name; });
 }

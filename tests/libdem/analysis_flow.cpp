@@ -3,17 +3,11 @@
 
 #include "libdem/analysis/flow.h"
 #include "libdem/analysis/settings.h"
+#include "tests/libdem/analysis_result.h"
 #include "tests/libdem/analysis_sets.h"
 
 namespace dem::analysis {
 namespace {
-
-double scalar(const Result& r, const std::string& name) {
-  for (const Scalar& s : r.scalars)
-    if (s.name == name) return s.value;
-  ADD_FAILURE() << "no scalar " << name;
-  return -1;
-}
 
 Snapshot of_ids(double time, const std::vector<std::uint64_t>& ids) {
   Snapshot s;

@@ -13,17 +13,11 @@
 #include "libdem/analysis/histogram.h"
 #include "libdem/analysis/report_forces.h"
 #include "libdem/analysis/write.h"
+#include "tests/libdem/analysis_result.h"
 #include "tests/libdem/analysis_sets.h"
 
 namespace dem::analysis {
 namespace {
-
-double scalar(const Result& r, const std::string& name) {
-  for (const Scalar& s : r.scalars)
-    if (s.name == name) return s.value;
-  ADD_FAILURE() << "no scalar " << name;
-  return -1;
-}
 
 // The images of bodies that body i is joined to by contacts of at least this force, by a flood over (body, cell).
 using Image = std::pair<std::uint32_t, std::array<int, 3>>;

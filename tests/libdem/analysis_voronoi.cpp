@@ -10,18 +10,13 @@
 #include "libdem/analysis/write.h"
 #include "tests/libdem/analysis_bodies.h"
 #include "tests/libdem/analysis_lattices.h"
+#include "tests/libdem/analysis_result.h"
 #include "tests/libdem/io_world.h"
 #include "tests/libdem/vtk_read.h"
 
 namespace dem::analysis {
 namespace {
 
-double scalar(const Result& r, const std::string& name) {
-  for (const Scalar& x : r.scalars)
-    if (x.name == name) return x.value;
-  ADD_FAILURE() << "no scalar " << name;
-  return 0;
-}
 double sum(const Cells& cells) {
   double v = 0;
   for (const double x : cells.volume) v += x;

@@ -5,6 +5,7 @@
 #include "libdem/analysis/walls.h"
 #include "shapes/mesh_build.h"
 #include "shapes/polygon_build.h"
+#include "tests/libdem/analysis_result.h"
 #include "tests/libdem/analysis_sets.h"
 
 namespace dem::analysis {
@@ -13,13 +14,6 @@ namespace {
 Quatd turned(const Vec3d& axis, double angle) {
   const double s = std::sin(angle / 2);
   return {std::cos(angle / 2), s * axis.x, s * axis.y, s * axis.z};
-}
-
-double scalar(const Result& r, const std::string& name) {
-  for (const Scalar& s : r.scalars)
-    if (s.name == name) return s.value;
-  ADD_FAILURE() << "no scalar " << name;
-  return -1;
 }
 
 // Spheres side by side on a floor in a box of 4 × 6, each as heavy as its place.

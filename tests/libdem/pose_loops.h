@@ -171,6 +171,17 @@ class Arena {
   std::size_t moving_ = 0;
 };
 
+// From which side a body is met, and how it is turned; a wall lies as it is, met along its normal.
+struct RandomMeeting {
+  Vec3d along;
+  Quatd rest;
+};
+inline RandomMeeting random_meeting(bool planar, bool wall, shapes::Random& random) {
+  if (wall) return {planar ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1}, {}};
+  const Quatd rest = planar ? random.turn() : random.rotation();
+  return {planar ? shapes::rotate(random.turn(), Vec3d{1, 0, 0}) : random.direction(), rest};
+}
+
 // How a loop is made: what moves, and by how much.
 struct Style {
   bool shifts, turns, rolls;  // rolls: shift as the turn of a ball would

@@ -18,16 +18,7 @@ HalfSpaces box_planes(const Vec3d& half) {
           {0, -1, 0, half.y}, {0, 0, 1, half.z},  {0, 0, -1, half.z}};
 }
 
-ShapeSpec potential(const std::string& name, const HalfSpaces& planes, double k, double r, double R) {
-  ShapeSpec s;
-  s.name = name;
-  s.kind = "potential_particle";
-  s.half_spaces = planes;
-  s.k = k;
-  s.r = r;
-  s.R = R;
-  return s;
-}
+using scenes::potential;
 
 ShapeSpec brick() { return potential("brick", box_planes({0.003, 0.004, 0.005}), 0.3, 0.002, 0.005); }
 ShapeSpec lump() {

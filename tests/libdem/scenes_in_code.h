@@ -69,6 +69,18 @@ inline ShapeSpec union_of(const std::string& name, const std::vector<PartSpec>& 
   return s;
 }
 
+inline ShapeSpec potential(const std::string& name, const std::vector<std::array<double, 4>>& planes, double k,
+                           double r, double R) {
+  ShapeSpec s;
+  s.name = name;
+  s.kind = "potential_particle";
+  s.half_spaces = planes;
+  s.k = k;
+  s.r = r;
+  s.R = R;
+  return s;
+}
+
 inline WallSpec plane(const std::string& name, const std::string& material, const Vec3d& point, const Vec3d& normal) {
   WallSpec w;
   w.name = name;

@@ -55,16 +55,15 @@ inline std::vector<Sample> of_kind(shapes::Kind kind) {
       s.rounding = 0.2 * r;
       return {body_of(kind, s)};
     }
-    case Kind::potential_particle: {
-      ShapeSpec s;
-      s.name = s.kind = "potential_particle";
-      s.half_spaces = {{1, 0, 0, 0.6 * r},  {-1, 0, 0, 0.6 * r}, {0, 1, 0, 0.8 * r},
-                       {0, -1, 0, 0.8 * r}, {0, 0, 1, r},        {0, 0, -1, r}};
-      s.k = 0.3;
-      s.r = 0.4 * r;
-      s.R = r;
-      return {body_of(kind, s)};
-    }
+    case Kind::potential_particle:
+      return {body_of(kind, scenes::potential("potential_particle",
+                                              {{1, 0, 0, 0.6 * r},
+                                               {-1, 0, 0, 0.6 * r},
+                                               {0, 1, 0, 0.8 * r},
+                                               {0, -1, 0, 0.8 * r},
+                                               {0, 0, 1, r},
+                                               {0, 0, -1, r}},
+                                              0.3, 0.4 * r, r))};
     case Kind::compound: {
       const ShapeSpec bar = scenes::box("bar", {1.8 * r, 0.7 * r, 0.8 * r}),
                       stub = scenes::box("stub", {0.7 * r, r, 0.8 * r});

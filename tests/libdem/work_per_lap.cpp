@@ -43,12 +43,7 @@ TEST_P(WorkPerLap, IsNothing) {
   shapes::Random random(GetParam(), 23, 0);
   for (const loops::Style& style :
        {loops::Style{true, false, false, false, 0.02}, loops::Style{true, true, true, false, 0.1}}) {
-    Vec3d along = planar ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
-    Quatd rest;
-    if (!pair.resting.is_wall()) {
-      rest = planar ? random.turn() : random.rotation();
-      along = planar ? rotate(random.turn(), Vec3d{1, 0, 0}) : random.direction();
-    }
+    const auto [along, rest] = loops::random_meeting(planar, pair.resting.is_wall(), random);
     arena.rest(rest);
     ASSERT_TRUE(arena.put_under(laws[0].law, laws[0].material));
     const auto path = loops::random_path(arena, along, planar, style, samples::size, random);
