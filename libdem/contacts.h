@@ -44,10 +44,12 @@ struct Gone {  // a contact that has ended, and what it lost
 struct Bin {
   shapes::Kind a = shapes::Kind::sphere, b = shapes::Kind::sphere;
   contact::ChunkQuery query = nullptr;  // null: sphere–sphere and sphere–plane, which have kernels of their own
+  bool wall = false;                    // b is a wall
   bool regions = false;                 // its pairs may touch in several regions
   bool exact = true;                    // answers agree with every proof of separation: no measure of a method's own
   std::vector<std::uint32_t> records;
   std::vector<std::uint32_t> a_index, b_index, pair;  // of each record: its bodies, its pair of materials; padded by 4
+  std::vector<std::uint32_t> awake;                   // places in `records` that a step looks at, of pairs; sleep.h
 };
 
 // The records of one pair of bodies, or of a body and a wall, of which one at least has parts: they follow one another
@@ -81,6 +83,9 @@ struct Contacts {
   // coherence.h. Both are empty when all are spheres and in cells that deform.
   std::vector<double> travel;       // per particle: at least the way of its farthest point since the last rebuild, m
   std::vector<double> apart_until;  // per record: the sum of its bodies' travels up to which it is apart; 0: unknown
+  // Way of the farthest body and of the farthest wall in this step; its sum since the awake were listed; up to where their
+  // list holds, m. See sleep.h.
+  double step_way = 0, way = 0, way_allowed = -1;
 
   std::vector<Bin> bins;      // of the records that are in no group
   std::vector<Group> groups;  // empty without bodies of parts, as are the next four

@@ -238,6 +238,8 @@ class ForcePass {
 
   // A touching contact as a query answered it.
   struct Meeting {
+    std::uint32_t a, b;  // their places
+    bool wall;           // b is one
     double overlap;        // m
     Vec3d normal, centre;  // relative to a's centre
     const double* spread;  // of the patch
@@ -250,13 +252,13 @@ class ForcePass {
 
   // Kinematics of contact k into lane n of the law chunk.
   void gather(std::size_t k, std::size_t n, const Meeting& q, Scratch& s) const {
-    const std::uint32_t ia = c_.index_a[k], ib = c_.index_b[k];
+    const std::uint32_t ia = q.a, ib = q.b;
     const Motion& a = p_.motion[ia];
     LawChunk& l = s.law;
     const Vec3d arm_a = q.centre;
     Vec3d velocity = a.velocity + cross(a.spin, arm_a), arm_b, spin_b;
     double radius = q.radius_a, w = inverse_mass(ia, q.rotation_a, q.mass_at, q.normal);
-    if (c_.key[k].b >= wall_base) {
+    if (q.wall) {
       const Wall& wall = world_.walls[ib];
       arm_b = a.position + arm_a - wall.position;
       spin_b = wall.spin;

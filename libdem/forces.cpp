@@ -11,6 +11,7 @@
 #include "libdem/force_pass.h"
 #include "libdem/forces_compound.h"
 #include "libdem/regions.h"
+#include "libdem/sleep.h"
 #include "libdem/walls.h"
 
 namespace dem {
@@ -20,15 +21,13 @@ class PairPass : public ForcePass {
  public:
   using ForcePass::ForcePass;
 
-  // Records first … last of a bin, chunk by chunk.
+  // Records first … last of a bin of spheres, chunk by chunk; of other bins its awake pairs.
   Tally answer(const Bin& bin, std::size_t first, std::size_t last, Scratch& s) const {
+    if (bin.query != nullptr) return general(bin, bin.awake.data() + first, last - first, s);
     Tally t;
     for (; first < last; first += chunk_size) {
       const std::size_t count = std::min(chunk_size, last - first);
-      if (bin.query != nullptr)
-        t += general(bin, first, count, s);
-      else
-        t += is_half_space(bin.b) ? sphere_planes(bin, first, count, s) : sphere_pairs(bin, first, count, s);
+      t += is_half_space(bin.b) ? sphere_planes(bin, first, count, s) : sphere_pairs(bin, first, count, s);
     }
     return t;
   }
@@ -147,33 +146,31 @@ class PairPass : public ForcePass {
     return t;
   }
 
-  double travel_of_partner(std::size_t k) const {
-    return c_.key[k].b >= wall_base ? world_.walls[c_.index_b[k]].travel : c_.travel[c_.index_b[k]];
-  }
-  // Record k is apart by `gap` now: so it stays for a while.
-  void keep_apart(std::size_t k, double gap) const {
+  // The pair in place r of a bin is apart by `gap` now: so it stays for a while.
+  void keep_apart(const Bin& bin, std::size_t r, double gap) const {
     if (c_.travel.empty()) return;
-    const std::uint32_t ia = c_.index_a[k], ib = c_.index_b[k];
-    const double radii = p_.motion[ia].bounding_radius +
-                         (c_.key[k].b >= wall_base ? world_.walls[ib].extent : p_.motion[ib].bounding_radius);
-    c_.apart_until[k] = apart_until(c_.travel[ia] + travel_of_partner(k), gap, radii);
+    const std::uint32_t ib = bin.b_index[r];
+    const double radii = p_.motion[bin.a_index[r]].bounding_radius +
+                         (bin.wall ? world_.walls[ib].extent : p_.motion[ib].bounding_radius);
+    c_.apart_until[bin.records[r]] = apart_until(travels(world_, bin, r), gap, radii);
   }
 
-  // The candidates that need a query, by their places r after `first`, into s.entry: not those that are known to be
-  // apart still, nor those whose bounding spheres are. Of the records of one pair it is the first that is asked.
-  std::size_t in_question(const Bin& bin, std::size_t first, std::size_t count, Scratch& s, Tally& t) const {
+  // Those of `count` pairs, given by their places in the bin, that need a query, into s.entry: not those that are known
+  // to be apart still, nor those whose bounding spheres are. Of the records of one pair it is the first that is asked.
+  std::size_t in_question(const Bin& bin, const std::uint32_t* places, std::size_t count, Scratch& s, Tally& t) const {
     const std::size_t step = bin.regions ? contact::max_regions : 1;
-    const std::uint32_t *records = &bin.records[first], *a = &bin.a_index[first], *b = &bin.b_index[first];
+    const std::uint32_t *records = bin.records.data(), *a = bin.a_index.data(), *b = bin.b_index.data();
     std::size_t asked = 0, n = 0;
-    for (std::size_t r = 0; r < count; r += step) {
-      const std::size_t k = records[r];
-      if (!c_.travel.empty() && c_.travel[a[r]] + travel_of_partner(k) < c_.apart_until[k] && !may_hold(k)) continue;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t r = places[i], k = records[r];
+      if (!c_.travel.empty() && travels(world_, bin, r) < c_.apart_until[k] && !may_hold(k)) continue;
+      prefetch(k);
       s.entry[asked] = static_cast<std::uint32_t>(r);
       s.index_a[asked] = a[r];
-      s.index_b[asked++] = c_.key[k].b >= wall_base ? a[r] : b[r];  // a wall has no bounding sphere
+      s.index_b[asked++] = bin.wall ? a[r] : b[r];  // a wall has no bounding sphere
     }
-    t.candidates = count / step;
-    t.by_displacement = t.candidates - asked;
+    t.candidates = count;
+    t.by_displacement = count - asked;
     pad(s.index_a, asked);
     pad(s.index_b, asked);
     if (lattice_ != nullptr)
@@ -196,23 +193,23 @@ class PairPass : public ForcePass {
         continue;
       }
       for (std::size_t slot = 0; slot < step; ++slot) forget(records[r + slot], s);
-      keep_apart(k, gap);
+      keep_apart(bin, r, gap);
     }
     t.by_spheres = asked - n;
     return n;
   }
 
-  Tally general(const Bin& bin, std::size_t first, std::size_t count, Scratch& s) const {
-    const std::uint32_t* records = &bin.records[first];
+  Tally general(const Bin& bin, const std::uint32_t* places, std::size_t count, Scratch& s) const {
+    const std::uint32_t* records = bin.records.data();
     const std::size_t step = bin.regions ? contact::max_regions : 1;  // records of a pair
     Tally t;
-    const std::size_t pairs = in_question(bin, first, count, s, t);
+    const std::size_t pairs = in_question(bin, places, count, s, t);
     for (std::size_t i = 0; i < pairs; ++i) {
-      const std::size_t k = records[s.entry[i]];
-      const std::uint32_t ia = c_.index_a[k], ib = c_.index_b[k];
+      const std::size_t r = s.entry[i], k = records[r];
+      const std::uint32_t ia = bin.a_index[r], ib = bin.b_index[r];
       s.a[i] = body_of(ia);
       const Vec3d& x = p_.motion[ia].position;
-      if (c_.key[k].b >= wall_base) {
+      if (bin.wall) {
         s.b[i] = walls_[ib].body;
         s.b[i].part = c_.key[k].part;
         s.offset[i] = world_.walls[ib].position - x;
@@ -245,15 +242,15 @@ class PairPass : public ForcePass {
         forget(k, s);
         if (bin.regions || !bin.exact || !q.certified || !(q.gap_lower > 0)) continue;
         if (q.iterations == 0 && !(q.gap_upper < infinity)) ++t.by_axis;
-        keep_apart(k, q.gap_lower);
+        keep_apart(bin, r, q.gap_lower);
         continue;
       }
       if (!q.certified) ++t.uncertified;
       if (q.handed_over) ++t.handed_over;
       contact::OverlapVolume v;
       if (by_volume_ && !measure(k, s.a[i], s.b[i], s.offset[i], q, v, t, s)) continue;
-      load_pair(n, bin.pair[first + r], s);
-      const bool wall = c_.key[k].b >= wall_base;
+      load_pair(n, bin.pair[r], s);
+      const std::uint32_t ia = bin.a_index[r], ib = bin.b_index[r];
       const contact::Patch patch =
           apart ? across_gap(bin.query, over_a_patch(bin), k, s.a[i], s.b[i], s.offset[i], q) : q.patch;
       contact::OverlapDepth d;  // by default what the query says
@@ -262,11 +259,10 @@ class PairPass : public ForcePass {
       else if (apart || !measured(bin, q, s.a[i], s.b[i], s.offset[i], d))
         d = {-q.gap, 1, q.normal, patch.centre, 0};
       const Vec3d& normal = d.normal;
-      gather(
-          k, n,
-          {d.depth, normal, d.point, patch.spread, s.offset[i], s.a[i].rotation, s.b[i].rotation,
-           law_radius(world_, c_.index_a[k]), wall ? 0 : law_radius(world_, c_.index_b[k]), d.point, d.gain, d.screw},
-          s);
+      gather(k, n,
+             {ia, ib, bin.wall, d.depth, normal, d.point, patch.spread, s.offset[i], s.a[i].rotation, s.b[i].rotation,
+              law_radius(world_, ia), bin.wall ? 0 : law_radius(world_, ib), d.point, d.gain, d.screw},
+             s);
       apply_map(k, n, s.a[i], s.b[i], normal, v, s);
       if (passes(bin, k, q)) s.through.push_back(static_cast<std::uint32_t>(k));
       begin(k, s);
@@ -276,6 +272,17 @@ class PairPass : public ForcePass {
     s.gained = true;
     finish(n, over_a_patch(bin), s);
     return t;
+  }
+
+  // What is read of record k once it has been answered. Always inline: a function that only fetches has no effect, and
+  // calls of it are dropped.
+  [[gnu::always_inline]] void prefetch(std::size_t k) const {
+    __builtin_prefetch(&c_.cache[k], 1);
+    __builtin_prefetch(&c_.centre[k], 1);
+    __builtin_prefetch(&c_.history[k], 1);
+    const char* slot = reinterpret_cast<const char*>(&c_.slot[k]);
+    __builtin_prefetch(slot, 1);
+    __builtin_prefetch(slot + 64, 1);
   }
 
   // Beyond each other's middle. Sharp edges turn a normal by more than a right angle, regions change places; the slope
@@ -330,11 +337,24 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
+// Pairs of a task: as many lanes as a chunk has where kernels run across pairs, less where pairs are dear or have many
+// records.
+std::size_t task_size(const Bin& bin) {
+  if (bin.regions) return chunk_size / contact::max_regions;
+  return bin.a == shapes::Kind::ellipsoid || bin.a == shapes::Kind::ellipse ? chunk_size : chunk_size / 2;
+}
+
 // What became of the candidates of each bin, and last of the groups.
 void book(World& world, const std::vector<Tally>& tally) {
   Counters& n = world.counters;
   for (std::size_t i = 0; i < tally.size(); ++i) {
-    const Tally& t = tally[i];
+    Tally t = tally[i];
+    if (i + 1 < tally.size() && world.contacts.bins[i].query != nullptr) {
+      const Bin& bin = world.contacts.bins[i];
+      const std::size_t asleep = bin.records.size() / (bin.regions ? contact::max_regions : 1) - bin.awake.size();
+      t.candidates += asleep;
+      t.by_displacement += asleep;
+    }
     if (i + 1 == tally.size()) {
       world.profile.parts += t;
     } else {
@@ -353,21 +373,19 @@ void book(World& world, const std::vector<Tally>& tally) {
 
 void compute_forces(World& world, int threads, double dt) {
   const auto begin = std::chrono::steady_clock::now();
+  wake(world);
   const PairPass pass(world, dt);
   const CompoundPass compounds(world, dt);
   const bool timed = world.profile.timed;
   const Bin* bins = world.contacts.bins.data();
-  // Tasks of about ten microseconds, the dear ones first, so that threads end together. The records of one pair are
-  // never parted.
-  static_assert(chunk_size / 2 % contact::max_regions == 0);
+  // Tasks of about ten microseconds, the dear ones first, so that threads end together.
   struct Task {
     const Bin* bin;  // null: groups
     std::size_t first, last;
   };
   std::vector<Task> tasks;
-  const auto add = [&tasks](const Bin& bin, std::size_t size) {
-    for (std::size_t i = 0; i < bin.records.size(); i += size)
-      tasks.push_back({&bin, i, std::min(i + size, bin.records.size())});
+  const auto add = [&tasks](const Bin& bin, std::size_t count, std::size_t size) {
+    for (std::size_t i = 0; i < count; i += size) tasks.push_back({&bin, i, std::min(i + size, count)});
   };
   const std::vector<Group>& groups = world.contacts.groups;
   for (std::size_t first = 0, g = 0, records = 0; g < groups.size(); ++g) {
@@ -378,9 +396,9 @@ void compute_forces(World& world, int threads, double dt) {
     records = 0;
   }
   for (const Bin& b : world.contacts.bins)
-    if (b.query != nullptr) add(b, chunk_size / 2);
+    if (b.query != nullptr) add(b, b.awake.size(), task_size(b));
   for (const Bin& b : world.contacts.bins)
-    if (b.query == nullptr) add(b, 8 * chunk_size);
+    if (b.query == nullptr) add(b, b.records.size(), 8 * chunk_size);
   std::vector<Tally> total(world.contacts.bins.size() + 1);
   std::vector<Change> changed;
   std::vector<std::uint32_t> through;

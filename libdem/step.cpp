@@ -62,7 +62,8 @@ void kick_and_drift(World& world, int threads, double dt, const CellStep& flow) 
   const Cell& cell = world.cell;
   const bool periodic = cell.periodic, deforms = cell.deforms;
   double* travel = world.contacts.travel.empty() || world.contacts.stale ? nullptr : world.contacts.travel.data();
-#pragma omp parallel for schedule(static) num_threads(threads)
+  double farthest = 0;
+#pragma omp parallel for schedule(static) num_threads(threads) reduction(max : farthest)
   for (std::size_t i = 0; i < p.count(); ++i) {
     BodyAt body(p, i);
     const Vec3d before = body.m.position;
@@ -79,8 +80,12 @@ void kick_and_drift(World& world, int threads, double dt, const CellStep& flow) 
     const Vec3d moved = body.m.position - before;
     if (periodic) cell.wrap(body.m.position);
     body.turn(dt);
-    if (travel != nullptr) travel[i] += travel_of(moved, turned, p.orientation[i], body.m.bounding_radius);
+    if (travel == nullptr) continue;
+    const double way = travel_of(moved, turned, p.orientation[i], body.m.bounding_radius);
+    travel[i] += way;
+    farthest = std::max(farthest, way);
   }
+  world.contacts.step_way = farthest;
 }
 
 void kick_again(World& world, int threads, double dt, const CellStep& flow) {

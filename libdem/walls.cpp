@@ -104,13 +104,17 @@ void push(Wall& w, double time, double dt) {
   w.position += w.velocity * dt;
 }
 
-void add_travel(Wall& w) {
+// Returns by how much.
+double add_travel(Wall& w) {
   const Quatd &q = w.orientation, &seen = w.seen_orientation;
   const bool turned = q.w != seen.w || q.x != seen.x || q.y != seen.y || q.z != seen.z;
   const double radius = is_half_space(w.kind) && turned ? std::numeric_limits<double>::infinity() : w.extent;
-  if (turned || !(w.position == w.seen_position)) w.travel += travel_of(w.position - w.seen_position, seen, q, radius);
+  const double way =
+      turned || !(w.position == w.seen_position) ? travel_of(w.position - w.seen_position, seen, q, radius) : 0;
+  w.travel += way;
   w.seen_position = w.position;
   w.seen_orientation = w.orientation;
+  return way;
 }
 
 }  // namespace
@@ -147,17 +151,22 @@ void sum_resistance(World& world) {
 
 void move_walls(World& world) {
   const double dt = world.step > 0 ? world.time_step.dt : 0;
+  double farthest = 0;
   for (Wall& w : world.walls) {
     if (w.motion.motion == WallMotion::servo)
       push(w, world.time(), dt);
     else
       place(w, world.time(), dt);
-    if (!world.contacts.travel.empty()) add_travel(w);
+    if (!world.contacts.travel.empty()) {
+      const double way = add_travel(w);
+      if (std::isfinite(way)) farthest = std::max(farthest, way);  // nothing sleeps near a half-space that turns
+    }
     if (w.present && world.time() >= w.motion.remove_at) {
       w.present = false;
       world.contacts.stale = true;
     }
   }
+  world.contacts.step_way += farthest;
 }
 
 }  // namespace dem

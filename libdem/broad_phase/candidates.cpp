@@ -171,7 +171,7 @@ void fill_bins(World& world) {
   Contacts& c = world.contacts;
   const Particles& p = world.particles;
   c.bins.clear();
-  std::array<int, 2 * shapes::kind_count * shapes::kind_count> bin_of;
+  std::array<int, 4 * shapes::kind_count * shapes::kind_count> bin_of;
   bin_of.fill(-1);
   const std::vector<char> in_regions = shapes_with_regions(world);
   bool all_spheres = true;
@@ -183,21 +183,21 @@ void fill_bins(World& world) {
     const auto of_shape = [&](std::uint32_t i) { return !in_regions.empty() && in_regions[p.shape[i]] != 0; };
     const bool regions =
         of_shape(c.index_a[k]) || (wall ? world.walls[c.index_b[k]].meets_in_regions() : of_shape(c.index_b[k]));
-    const std::size_t set = static_cast<std::size_t>(a) + (regions ? shapes::kind_count : 0);
-    int& bin = bin_of[set * shapes::kind_count + static_cast<std::size_t>(b)];
+    const std::size_t set = (wall ? 2 : 0) + (regions ? 1 : 0);
+    int& bin = bin_of[(set * shapes::kind_count + static_cast<std::size_t>(a)) * shapes::kind_count +
+                      static_cast<std::size_t>(b)];
     if (bin < 0) {
       bin = static_cast<int>(c.bins.size());
       const bool closed = detection::closed_form(a, b, world.scene);
       all_spheres = all_spheres && closed;
-      c.bins.push_back({a,
-                        b,
-                        closed ? nullptr : detection::find(a, b, world.scene),
-                        regions,
-                        closed || detection::agrees_with_proofs(a, b, world.scene),
-                        {},
-                        {},
-                        {},
-                        {}});
+      Bin fresh;
+      fresh.a = a;
+      fresh.b = b;
+      fresh.query = closed ? nullptr : detection::find(a, b, world.scene);
+      fresh.wall = wall;
+      fresh.regions = regions;
+      fresh.exact = closed || detection::agrees_with_proofs(a, b, world.scene);
+      c.bins.push_back(std::move(fresh));
     }
     const std::uint32_t material_b = wall ? world.walls[c.index_b[k]].material : p.material[c.index_b[k]];
     Bin& list = c.bins[static_cast<std::size_t>(bin)];
