@@ -4,9 +4,9 @@
 #include <chrono>
 #include <tuple>
 
-#include "libcontact/methods/polygon_regions.h"
-#include "libdem/broad_phase/cells.h"
+#include "libdem/broad_phase/levels.h"
 #include "libdem/broad_phase/part_candidates.h"
+#include "libdem/broad_phase/wall_candidates.h"
 #include "libdem/detection.h"
 #include "libdem/law_map.h"
 
@@ -14,12 +14,6 @@ namespace dem {
 namespace {
 
 using Rows = std::vector<std::vector<Candidate>>;
-
-double reach_of(const World& world) {
-  double largest = 0;
-  for (const Motion& m : world.particles.motion) largest = std::max(largest, m.bounding_radius);
-  return 2 * largest + world.skin;
-}
 
 // Per shape: its pairs may touch in several regions and have as many records. Empty when there is no such shape.
 std::vector<char> shapes_with_regions(const World& world) {
@@ -32,55 +26,13 @@ std::vector<char> shapes_with_regions(const World& world) {
   return any ? marks : std::vector<char>{};
 }
 
-void add_records(Candidate record, bool regions, std::vector<Candidate>& row) {
-  for (std::uint32_t slot = 0; slot < (regions ? contact::max_regions : 1); ++slot) {
-    record.key.part = slot;
-    row.push_back(record);
-  }
-}
-
-// The walls and facets near a particle go to the end of its row, in order of wall and facet.
-void wall_candidates(const World& world, std::size_t i, const std::vector<shapes::Mat3d>& frames, bool regions,
-                     std::vector<Candidate>& row) {
-  const Motion& m = world.particles.motion[i];
-  const double reach = m.bounding_radius + world.skin;
-  for (std::size_t w = 0; w < world.walls.size(); ++w) {
-    const Wall& wall = world.walls[w];
-    if (!wall.present) continue;
-    const Vec3d d = m.position - wall.position;
-    if (world.particles.kind[i] == shapes::Kind::compound) {
-      part_walls(world, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(w), frames[w], row);
-      continue;
-    }
-    Candidate record{
-        {world.particles.id[i], wall_base + w}, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(w)};
-    if (is_half_space(wall.kind)) {
-      const Vec3d normal = frames[w].column(wall.kind == shapes::Kind::plane ? 2 : 1);
-      if (dot(normal, d) < reach) add_records(record, regions, row);
-      continue;
-    }
-    const Vec3d x = transposed_times(frames[w], d);
-    if (wall.polygon) {
-      if (near_polygon(*wall.polygon, x, reach)) add_records(record, regions || wall.meets_in_regions(), row);
-      continue;
-    }
-    for (std::size_t f = 0; f < wall.mesh->facets.size(); ++f) {
-      if (!near_facet(wall.mesh->facets[f], x, reach)) continue;
-      record.key.part = static_cast<std::uint32_t>(f);
-      row.push_back(record);
-    }
-  }
-}
-
 // The row of a particle: its partners of higher id, in order of id. Rows stand in the order of storage, so that what is
 // near in space is near in memory; each thread takes whole blocks of rows.
-void particle_pairs(const World& world, int threads, Rows& rows) {
+void particle_pairs(World& world, int threads, Rows& rows) {
   const Particles& p = world.particles;
   const std::size_t n = p.count();
-  const Cells cells(
-      n, [&](std::size_t i) -> const Vec3d& { return p.motion[i].position; }, reach_of(world), world.cell);
-  std::vector<shapes::Mat3d> frames;
-  for (const Wall& w : world.walls) frames.push_back(shapes::rotation_matrix(w.orientation));
+  const Levels levels(p.motion, world.skin, world.cell);
+  world.contacts.largest_sum = 2 * levels.largest();
   const std::vector<char> regions = shapes_with_regions(world);
   const auto in_regions = [&](std::size_t i) { return !regions.empty() && regions[p.shape[i]] != 0; };
   const std::size_t block = 256, blocks = (n + block - 1) / block;
@@ -88,10 +40,12 @@ void particle_pairs(const World& world, int threads, Rows& rows) {
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
   for (std::size_t r = 0; r < blocks; ++r) {
     std::vector<std::uint32_t> partners;
+    NearWalls walls(world);
+    walls.look(r * block, std::min(n, (r + 1) * block));
     for (std::size_t i = r * block; i < std::min(n, (r + 1) * block); ++i) {
       partners.clear();
       const Motion& m = p.motion[i];
-      cells.around(i, [&](std::uint32_t j) {
+      levels.near(i, [&](std::uint32_t j) {
         if (p.id[j] <= p.id[i]) return;
         const Vec3d d = world.cell.lattice.nearest(p.motion[j].position - m.position);
         const double reach = m.bounding_radius + p.motion[j].bounding_radius + world.skin;
@@ -107,7 +61,7 @@ void particle_pairs(const World& world, int threads, Rows& rows) {
         const bool swap = p.kind[j] < p.kind[i];
         add_records({{p.id[i], p.id[j]}, swap ? j : a, swap ? a : j}, in_regions(i) || in_regions(j), rows[r]);
       }
-      wall_candidates(world, i, frames, in_regions(i), rows[r]);
+      walls.add(i, in_regions(i), rows[r]);
     }
   }
 }
@@ -159,9 +113,7 @@ void permute(std::vector<T>& v, const std::vector<std::uint32_t>& order) {
 // Stores particles cell by cell: what is near in space comes near in memory. Nothing else depends on the order.
 void sort_in_space(World& world) {
   Particles& p = world.particles;
-  const Cells cells(
-      p.count(), [&](std::size_t i) -> const Vec3d& { return p.motion[i].position; }, reach_of(world), world.cell);
-  const std::vector<std::uint32_t>& order = cells.order();
+  const std::vector<std::uint32_t> order = order_in_space(p.motion, world.skin, world.cell);
   Particles::each_array(p, [&](auto& array) { permute(array, order); });
 }
 
@@ -274,8 +226,10 @@ void rebuild_candidates(World& world, int threads) {
   if (world.counters.rebuilds % sort_every == 0) sort_in_space(world);
   Rows rows;
   particle_pairs(world, threads, rows);
+  const double largest_sum = c.largest_sum;
   const Contacts old = std::move(c);
   c = {};
+  c.largest_sum = largest_sum;
   std::size_t total = 0;
   for (const auto& r : rows) total += r.size();
   // Where the rows of the old list begin, by the id of their particle.
@@ -341,7 +295,6 @@ void rebuild_candidates(World& world, int threads) {
     wall.list_orientation = wall.seen_orientation = wall.orientation;
     wall.travel = 0;
   }
-  c.largest_sum = reach_of(world) - world.skin;
   world.cell.stretch = {1, 1, 1};
   c.stale = false;
   ++world.counters.rebuilds;

@@ -1,6 +1,5 @@
-// A grid of cells over points: which points lie near a point. Cell side = reach, so the 27 cells around hold every
-// neighbour within reach; the number of cells is bounded by enlarging the side when bodies are spread out. Along a
-// periodic axis the cells divide the box, and the first one follows the last.
+// A grid of cells over points: which points lie near a place. The number of cells is bounded by enlarging the side when
+// points are spread out. Along a periodic axis the cells divide the box, and the first one follows the last.
 #pragma once
 
 #include <algorithm>
@@ -14,10 +13,12 @@ namespace dem {
 
 class Cells {
  public:
+  // Of the points `members` by `position(member)`; side: that of a cell, at least, m.
   template <class Position>
-  Cells(std::size_t count, Position position, double reach, const Cell& box = {}) : box_(box) {
-    shapes::Vec3d low = count > 0 ? position(0) : shapes::Vec3d{}, high = low;
-    for (std::size_t i = 1; i < count; ++i)
+  Cells(const std::vector<std::uint32_t>& members, Position position, double side, const Cell& box = {}) : box_(box) {
+    const std::size_t count = members.size();
+    shapes::Vec3d low = count > 0 ? position(members[0]) : shapes::Vec3d{}, high = low;
+    for (const std::uint32_t i : members)
       for (int k = 0; k < 3; ++k) {
         low[k] = std::min(low[k], position(i)[k]);
         high[k] = std::max(high[k], position(i)[k]);
@@ -27,9 +28,12 @@ class Cells {
     shapes::Vec3d span = high - low;
     for (int k = 0; k < 3; ++k) wraps_[k] = box.lattice.length[k] > 0;
     for (int k = 0; k < 3; ++k) {
-      if (wraps_[k]) span[k] = box.lattice.length[k];
+      if (wraps_[k]) {
+        span[k] = box.lattice.length[k];
+        low_[k] = box.lower[k];
+      }
       // A long, thin scene may use more cells along one axis, but never more than 64 per body on the whole.
-      const double n = reach > 0 ? std::clamp(std::floor(span[k] / reach), 1.0, 16 * limit) : 1;  // no bodies: no reach
+      const double n = side > 0 ? std::clamp(std::floor(span[k] / side), 1.0, 16 * limit) : 1;  // no bodies: no side
       number_[k] = static_cast<std::int64_t>(n);
     }
     while (number_[0] * number_[1] * number_[2] > 64 * static_cast<std::int64_t>(count) + 64) {
@@ -37,36 +41,43 @@ class Cells {
       *largest = (*largest + 1) / 2;
     }
     for (int k = 0; k < 3; ++k) per_length_[k] = span[k] > 0 ? static_cast<double>(number_[k]) / span[k] : 0;
-    const std::size_t cells = static_cast<std::size_t>(number_[0] * number_[1] * number_[2]);
-    start_.assign(cells + 1, 0);
-    cell_.resize(count);
+    start_.assign(static_cast<std::size_t>(number_[0] * number_[1] * number_[2]) + 1, 0);
+    std::vector<std::uint32_t> cell(count);
     for (std::size_t i = 0; i < count; ++i) {
       std::int64_t c[3];
-      locate(position(i), c);
-      cell_[i] = static_cast<std::uint32_t>((c[2] * number_[1] + c[1]) * number_[0] + c[0]);
-      ++start_[cell_[i] + 1];
+      for (int k = 0; k < 3; ++k) c[k] = inside(along(position(members[i])[k], k), k);
+      cell[i] = static_cast<std::uint32_t>((c[2] * number_[1] + c[1]) * number_[0] + c[0]);
+      ++start_[cell[i] + 1];
     }
-    for (std::size_t c = 0; c < cells; ++c) start_[c + 1] += start_[c];
+    for (std::size_t c = 0; c + 1 < start_.size(); ++c) start_[c + 1] += start_[c];
     member_.resize(count);
     std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
-    for (std::size_t i = 0; i < count; ++i) member_[next[cell_[i]]++] = static_cast<std::uint32_t>(i);
+    for (std::size_t i = 0; i < count; ++i) member_[next[cell[i]]++] = members[i];
   }
 
-  // visit(j) for every point j in the cells around point i's (i itself included).
+  // visit(member) for every point no farther than `range` from x along each axis, and for others near them, each once.
   template <class Visit>
-  void around(std::size_t i, Visit visit) const {
-    const std::int64_t cell = cell_[i];
-    const std::int64_t cx = cell % number_[0], cy = cell / number_[0] % number_[1],
-                       cz = cell / (number_[0] * number_[1]);
-    if (box_.periodic) return around_in_box(cx, cy, cz, visit);
-    for (std::int64_t z = std::max<std::int64_t>(cz - 1, 0); z <= std::min(cz + 1, number_[2] - 1); ++z)
-      for (std::int64_t y = std::max<std::int64_t>(cy - 1, 0); y <= std::min(cy + 1, number_[1] - 1); ++y) {
-        const std::int64_t row = (z * number_[1] + y) * number_[0];
-        const std::int64_t first = row + std::max<std::int64_t>(cx - 1, 0),
-                           last = row + std::min(cx + 1, number_[0] - 1);
-        for (std::uint32_t k = start_[static_cast<std::size_t>(first)]; k < start_[static_cast<std::size_t>(last) + 1];
-             ++k)
-          visit(member_[k]);
+  void near(const shapes::Vec3d& x, double range, Visit visit) const {
+    std::int64_t from[3], to[3];
+    for (int k = 0; k < 3; ++k) {
+      from[k] = along(x[k] - range, k);
+      to[k] = along(x[k] + range, k);
+      if (!wraps_[k]) {
+        from[k] = inside(from[k], k);
+        to[k] = inside(to[k], k);
+      } else {
+        to[k] = std::min(to[k], from[k] + number_[k] - 1);
+      }
+    }
+    for (std::int64_t z = from[2]; z <= to[2]; ++z)
+      for (std::int64_t y = from[1]; y <= to[1]; ++y) {
+        const std::int64_t row = (inside(z, 2) * number_[1] + inside(y, 1)) * number_[0];
+        for (std::int64_t first = from[0]; first <= to[0];) {  // runs of cells up to the end of the row
+          const std::int64_t begin = inside(first, 0), length = std::min(to[0] - first, number_[0] - 1 - begin);
+          const std::uint32_t last = start_[static_cast<std::size_t>(row + begin + length) + 1];
+          for (std::uint32_t i = start_[static_cast<std::size_t>(row + begin)]; i < last; ++i) visit(member_[i]);
+          first += length + 1;
+        }
       }
   }
 
@@ -74,43 +85,22 @@ class Cells {
   const std::vector<std::uint32_t>& order() const { return member_; }
 
  private:
-  // The cells next to number c of axis k and itself, each once.
-  int next_to(std::int64_t c, int k, std::int64_t* list) const {
-    int n = 0;
-    for (std::int64_t i = c - 1; i <= c + 1; ++i) {
-      const bool inside = i >= 0 && i < number_[k];
-      if (!inside && (!wraps_[k] || number_[k] < 3)) continue;
-      list[n++] = inside ? i : (i + number_[k]) % number_[k];
-    }
-    return n;
+  // Number of the cell along axis k at coordinate x, as if the cells went on for ever.
+  std::int64_t along(double x, int k) const {
+    const double c = std::floor((x - low_[k]) * per_length_[k]);
+    return static_cast<std::int64_t>(std::clamp(c, -0x1p40, 0x1p40));
   }
-  template <class Visit>
-  void around_in_box(std::int64_t cx, std::int64_t cy, std::int64_t cz, Visit visit) const {
-    std::int64_t x[3], y[3], z[3];
-    const int nx = next_to(cx, 0, x), ny = next_to(cy, 1, y), nz = next_to(cz, 2, z);
-    for (int c = 0; c < nz; ++c)
-      for (int b = 0; b < ny; ++b)
-        for (int a = 0; a < nx; ++a) {
-          const auto cell = static_cast<std::size_t>((z[c] * number_[1] + y[b]) * number_[0] + x[a]);
-          for (std::uint32_t k = start_[cell]; k < start_[cell + 1]; ++k) visit(member_[k]);
-        }
-  }
-  void locate(const shapes::Vec3d& x, std::int64_t* c) const {
-    for (int k = 0; k < 3; ++k) {
-      double s = x[k] - low_[k];
-      if (wraps_[k]) {
-        const double share = (x[k] - box_.lower[k]) * box_.lattice.inverse[k];
-        s = (share - std::floor(share)) * box_.lattice.length[k];
-      }
-      c[k] = std::clamp<std::int64_t>(static_cast<std::int64_t>(s * per_length_[k]), 0, number_[k] - 1);
-    }
+  std::int64_t inside(std::int64_t c, int k) const {
+    const std::int64_t n = number_[k];
+    if (!wraps_[k]) return std::clamp<std::int64_t>(c, 0, n - 1);
+    return c >= 0 && c < n ? c : ((c % n) + n) % n;
   }
   Cell box_;
   bool wraps_[3] = {};
   shapes::Vec3d low_{};
   std::int64_t number_[3] = {1, 1, 1};
   double per_length_[3] = {};
-  std::vector<std::uint32_t> start_, cell_, member_;
+  std::vector<std::uint32_t> start_, member_;
 };
 
 }  // namespace dem

@@ -29,26 +29,28 @@ void part_pairs(const World& world, std::uint32_t i, std::uint32_t j, std::vecto
   }
 }
 
-void part_walls(const World& world, std::uint32_t i, std::uint32_t w, const Mat3d& frame, std::vector<Candidate>& row) {
+void part_walls(const World& world, std::uint32_t i, std::uint32_t w, const Mat3d& frame,
+                std::span<const std::uint32_t> facets, std::vector<Candidate>& row) {
   const Particles& p = world.particles;
   const Wall& wall = world.walls[w];
   const Vec3d d = p.motion[i].position - wall.position;
   const Mat3d rotation = shapes::rotation_matrix(p.orientation[i]);
   const std::uint32_t parts = part_count(world, i);
-  Candidate candidate{{p.id[i], wall_base + w, 0, 0}, i, w};
-  const bool flat = is_half_space(wall.kind);
-  const Vec3d normal = frame.column(2);
-  for (std::uint32_t f = 0; f < (flat ? 1 : wall.mesh->facets.size()); ++f)
+  const auto add = [&](std::uint32_t facet, auto near) {
     for (std::uint32_t a = 0; a < parts; ++a) {
       const PartBall ball = part_ball(world, i, a, rotation);
-      const double reach = ball.radius + world.skin;
-      const Vec3d at = d + ball.centre;
-      if (!(flat ? dot(normal, at) < reach : near_facet(wall.mesh->facets[f], transposed_times(frame, at), reach)))
-        continue;
-      candidate.key.part = f;
-      candidate.key.part_a = a;
-      row.push_back(candidate);
+      if (near(d + ball.centre, ball.radius + world.skin)) row.push_back({{p.id[i], wall_base + w, facet, a}, i, w});
     }
+  };
+  if (is_half_space(wall.kind)) {
+    const Vec3d normal = frame.column(2);
+    add(0, [&](const Vec3d& at, double reach) { return dot(normal, at) < reach; });
+    return;
+  }
+  for (const std::uint32_t f : facets)
+    add(f, [&](const Vec3d& at, double reach) {
+      return near_facet(wall.mesh->facets[f], transposed_times(frame, at), reach);
+    });
 }
 
 void fill_groups(World& world) {

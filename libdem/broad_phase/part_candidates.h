@@ -2,6 +2,8 @@
 // turns of their body, so the list also grows old by turning.
 #pragma once
 
+#include <span>
+
 #include "libdem/broad_phase/candidate.h"
 #include "libdem/world.h"
 
@@ -11,8 +13,9 @@ namespace dem {
 bool has_compounds(const World& world);
 // Records of particles i and j, id of i lower, in order of key.
 void part_pairs(const World& world, std::uint32_t i, std::uint32_t j, std::vector<Candidate>& row);
-// Records of particle i and wall w, in order of key. `frame` is the wall's rotation.
-void part_walls(const World& world, std::uint32_t i, std::uint32_t w, const Mat3d& frame, std::vector<Candidate>& row);
+// Records of particle i and wall w, in order of key. `frame` is the wall's rotation, `facets` those of a mesh to try.
+void part_walls(const World& world, std::uint32_t i, std::uint32_t w, const Mat3d& frame,
+                std::span<const std::uint32_t> facets, std::vector<Candidate>& row);
 // The groups of the list and what answers their records; the share of every record is set to 1.
 void fill_groups(World& world);
 // Whether a part of some body may have moved by `half` since the last rebuild.
