@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <tuple>
+#include <utility>
 
 #include "libdem/broad_phase/levels.h"
 #include "libdem/broad_phase/part_candidates.h"
@@ -37,31 +37,36 @@ void particle_pairs(World& world, int threads, Rows& rows) {
   const auto in_regions = [&](std::size_t i) { return !regions.empty() && regions[p.shape[i]] != 0; };
   const std::size_t block = 256, blocks = (n + block - 1) / block;
   rows.resize(blocks);
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-  for (std::size_t r = 0; r < blocks; ++r) {
-    std::vector<std::uint32_t> partners;
+#pragma omp parallel num_threads(threads)
+  {
+    struct Partner {
+      std::uint64_t id;
+      std::uint32_t index;
+    };
+    std::vector<Partner> partners;
     NearWalls walls(world);
-    walls.look(r * block, std::min(n, (r + 1) * block));
-    for (std::size_t i = r * block; i < std::min(n, (r + 1) * block); ++i) {
-      partners.clear();
-      const Motion& m = p.motion[i];
-      levels.near(i, [&](std::uint32_t j) {
-        if (p.id[j] <= p.id[i]) return;
-        const Vec3d d = world.cell.lattice.nearest(p.motion[j].position - m.position);
-        const double reach = m.bounding_radius + p.motion[j].bounding_radius + world.skin;
-        if (dot(d, d) < reach * reach) partners.push_back(j);
-      });
-      std::sort(partners.begin(), partners.end(), [&](std::uint32_t x, std::uint32_t y) { return p.id[x] < p.id[y]; });
-      for (const std::uint32_t j : partners) {
-        const auto a = static_cast<std::uint32_t>(i);
-        if (p.kind[i] == shapes::Kind::compound || p.kind[j] == shapes::Kind::compound) {
-          part_pairs(world, a, j, rows[r]);
-          continue;
+#pragma omp for schedule(dynamic)
+    for (std::size_t r = 0; r < blocks; ++r) {
+      const std::size_t first = r * block, last = std::min(n, first + block);
+      walls.look(first, last);
+      for (std::size_t i = first; i < last; ++i) {
+        partners.clear();
+        const std::uint64_t id = p.id[i];
+        levels.near(i, [&](std::uint32_t j) {
+          if (p.id[j] > id) partners.push_back({p.id[j], j});
+        });
+        std::sort(partners.begin(), partners.end(), [](const Partner& x, const Partner& y) { return x.id < y.id; });
+        for (const Partner& partner : partners) {
+          const std::uint32_t a = static_cast<std::uint32_t>(i), j = partner.index;
+          if (p.kind[i] == shapes::Kind::compound || p.kind[j] == shapes::Kind::compound) {
+            part_pairs(world, a, j, rows[r]);
+            continue;
+          }
+          const bool swap = p.kind[j] < p.kind[i];
+          add_records({{id, partner.id}, swap ? j : a, swap ? a : j}, in_regions(i) || in_regions(j), rows[r]);
         }
-        const bool swap = p.kind[j] < p.kind[i];
-        add_records({{p.id[i], p.id[j]}, swap ? j : a, swap ? a : j}, in_regions(i) || in_regions(j), rows[r]);
+        walls.add(i, in_regions(i), rows[r]);
       }
-      walls.add(i, in_regions(i), rows[r]);
     }
   }
 }
@@ -86,13 +91,23 @@ void index_by_particle(World& world) {
     if (c.key[k].b < wall_base) c.incidence[next[c.index_b[k]]++] = record + 1;
   }
   // Sums run in order of the partner's id, walls last.
-  const auto partner = [&](std::size_t i, std::uint32_t e) {
-    const Key& key = c.key[e >> 1];
-    return std::tuple(key.a == world.particles.id[i] ? key.b : key.a, key.part, key.part_a);
+  struct Partner {
+    std::uint64_t id;
+    std::uint32_t part, part_a, entry;
+    auto operator<=>(const Partner&) const = default;
   };
-  for (std::size_t i = 0; i < world.particles.count(); ++i)
-    std::sort(c.incidence.begin() + c.incidence_start[i], c.incidence.begin() + c.incidence_start[i + 1],
-              [&](std::uint32_t x, std::uint32_t y) { return partner(i, x) < partner(i, y); });
+  std::vector<Partner> partners;
+  for (std::size_t i = 0; i < world.particles.count(); ++i) {
+    partners.clear();
+    std::uint32_t* list = c.incidence.data() + c.incidence_start[i];
+    const std::size_t count = c.incidence_start[i + 1] - c.incidence_start[i];
+    for (std::size_t e = 0; e < count; ++e) {
+      const Key& key = c.key[list[e] >> 1];
+      partners.push_back({key.a == world.particles.id[i] ? key.b : key.a, key.part, key.part_a, list[e]});
+    }
+    std::sort(partners.begin(), partners.end());
+    for (std::size_t e = 0; e < count; ++e) list[e] = partners[e].entry;
+  }
   c.active.resize(c.incidence.size());
   c.active_count.assign(world.particles.count(), 0);
   for (std::size_t i = 0; i < world.particles.count(); ++i)
@@ -119,7 +134,8 @@ void sort_in_space(World& world) {
 
 constexpr std::uint64_t sort_every = 16;  // rebuilds
 
-void fill_bins(World& world) {
+// Returns whether the kernels of spheres answer all records.
+bool fill_bins(World& world) {
   Contacts& c = world.contacts;
   const Particles& p = world.particles;
   c.bins.clear();
@@ -162,15 +178,68 @@ void fill_bins(World& world) {
     for (auto* v : {&list.a_index, &list.b_index, &list.pair}) v->resize(v->size() + 3, v->back());
   const bool compounds = has_compounds(world);
   if (compounds) fill_groups(world);
-  c.centre.resize(all_spheres && !compounds ? 0 : c.count());
+  return all_spheres && !compounds;
 }
 
-// Room for what the laws remember; the fused kernels need none.
-void prepare_memory(World& world) {
+// The rows as records; rows are freed on the way.
+void lay_out(Rows& rows, Contacts& c) {
+  std::size_t total = 0;
+  for (const auto& r : rows) total += r.size();
+  for (auto* v : {&c.index_a, &c.index_b}) {
+    *v = {};
+    v->reserve(total);
+  }
+  c.key.reserve(total);
+  for (auto& block : rows) {
+    for (const Candidate& record : block) {
+      c.key.push_back(record.key);
+      c.index_a.push_back(record.a);
+      c.index_b.push_back(record.b);
+    }
+    block = {};
+  }
+}
+
+constexpr std::uint32_t none = ~std::uint32_t(0);
+
+// Of each record the one of the same key in the old list, or none. Rows of both lists are sorted.
+std::vector<std::uint32_t> origins(const std::vector<Key>& old, const std::vector<Key>& keys, std::uint64_t next_id) {
+  // Where the rows of the old list begin, by the id of their particle.
+  std::vector<std::uint32_t> old_row(next_id, static_cast<std::uint32_t>(old.size()));
+  for (std::size_t o = old.size(); o-- > 0;) old_row[old[o].a] = static_cast<std::uint32_t>(o);
+  std::vector<std::uint32_t> from(keys.size(), none);
+  std::size_t o = 0;
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    if (k == 0 || keys[k].a != keys[k - 1].a) o = old_row[keys[k].a];
+    while (o < old.size() && old[o].a == keys[k].a && old[o] < keys[k]) ++o;
+    if (o < old.size() && old[o] == keys[k]) from[k] = static_cast<std::uint32_t>(o);
+  }
+  return from;
+}
+
+// An array of `width` entries a record for the new records; those that have no origin begin as `fresh`.
+template <class T>
+void carry(std::vector<T>& v, const std::vector<std::uint32_t>& from, std::size_t width = 1, T fresh = {}) {
+  std::vector<T> next(from.size() * width, fresh);
+  if (!v.empty())
+    for (std::size_t k = 0; k < from.size(); ++k)
+      if (from[k] != none)
+        for (std::size_t j = 0; j < width; ++j) next[k * width + j] = v[from[k] * width + j];
+  v = std::move(next);
+}
+
+// What contacts lost that are in the list no more.
+void book_unseen(World& world, const std::vector<Key>& old, const std::vector<std::uint32_t>& from) {
   Contacts& c = world.contacts;
-  c.words = record_words(world);
-  c.memory.assign(c.history.size() * c.words, 0);
-  if (world.scene.law.ledger) c.ledger.assign(c.history.size(), {});
+  if (c.ledger.empty()) return;
+  std::vector<std::uint8_t> carried(old.size());
+  for (const std::uint32_t o : from)
+    if (o != none) carried[o] = 1;
+  for (std::size_t o = 0; o < old.size(); ++o) {
+    if (c.touching[o] == 0 || carried[o] != 0) continue;
+    contact::close(world.law.loss, world.time_step.dt, c.ledger[o]);
+    c.gone.push_back({old[o], c.ledger[o].lost});
+  }
 }
 
 bool moved(const World& world, double half) {
@@ -226,70 +295,37 @@ void rebuild_candidates(World& world, int threads) {
   if (world.counters.rebuilds % sort_every == 0) sort_in_space(world);
   Rows rows;
   particle_pairs(world, threads, rows);
-  const double largest_sum = c.largest_sum;
-  const Contacts old = std::move(c);
-  c = {};
-  c.largest_sum = largest_sum;
-  std::size_t total = 0;
-  for (const auto& r : rows) total += r.size();
-  // Where the rows of the old list begin, by the id of their particle.
-  std::vector<std::uint32_t> old_row(world.next_id, static_cast<std::uint32_t>(old.count()));
-  for (std::size_t o = old.count(); o-- > 0;) old_row[old.key[o].a] = static_cast<std::uint32_t>(o);
-
-  c.key.reserve(total);
-  c.index_a.reserve(total);
-  c.index_b.reserve(total);
-  c.history.resize(total);
-  c.touching.resize(total);
+  for (auto* v : {&c.incidence, &c.active, &c.wall_records}) *v = {};
+  c.bins.clear();
+  c.groups.clear();
+  c.slot = {};
+  const std::vector<Key> old = std::exchange(c.key, {});
+  lay_out(rows, c);
+  const std::vector<std::uint32_t> from = origins(old, c.key, world.next_id);
+  book_unseen(world, old, from);
+  const std::size_t total = c.count();
   c.slot.resize(total);
-  prepare_memory(world);
-  std::vector<contact::Cache> cache(total);
-  std::vector<Vec3d> centre(old.centre.empty() ? 0 : total);  // regions are known again by theirs
-  std::vector<std::uint8_t> carried(old.ledger.size());
-  std::vector<double> share(old.share.empty() ? 0 : total, 1.0);  // of those that hold on across a gap
-  std::size_t k = 0, o = 0;
-  for (const auto& block : rows)
-    for (const Candidate& record : block) {
-      if (k == 0 || record.key.a != c.key.back().a) o = old_row[record.key.a];
-      c.key.push_back(record.key);
-      c.index_a.push_back(record.a);
-      c.index_b.push_back(record.b);
-      while (o < old.count() && old.key[o].a == record.key.a && old.key[o] < record.key) ++o;
-      if (o < old.count() && old.key[o] == record.key) {
-        c.history[k] = old.history[o];
-        c.touching[k] = old.touching[o];
-        std::copy_n(old.memory.begin() + static_cast<std::ptrdiff_t>(o * old.words), old.words,
-                    c.memory.begin() + static_cast<std::ptrdiff_t>(k * c.words));
-        if (!old.ledger.empty()) {
-          c.ledger[k] = old.ledger[o];
-          carried[o] = 1;
-        }
-        if (!old.share.empty()) share[k] = old.share[o];
-        if (!old.cache.empty()) cache[k] = old.cache[o];
-        if (!old.centre.empty()) centre[k] = old.centre[o];
-      }
-      ++k;
-    }
-  for (o = 0; o < carried.size(); ++o) {
-    if (old.touching[o] == 0 || carried[o] != 0) continue;
-    contact::Ledger ledger = old.ledger[o];
-    contact::close(world.law.loss, world.time_step.dt, ledger);
-    c.gone.push_back({old.key[o], ledger.lost});
+  c.words = record_words(world);
+  carry(c.history, from);
+  carry(c.touching, from);
+  carry(c.memory, from, c.words);
+  carry(c.ledger, from, world.scene.law.ledger ? 1 : 0);
+  std::vector<double> share = std::exchange(c.share, {});  // of those that hold on across a gap
+  const bool all_spheres = fill_bins(world);
+  if (!c.share.empty() && !share.empty()) {
+    carry(share, from, 1, 1.0);
+    c.share = std::move(share);
   }
-  fill_bins(world);
-  if (!c.share.empty() && !share.empty()) c.share = std::move(share);
-  if (!c.centre.empty()) {
-    c.cache = std::move(cache);
-    if (!centre.empty()) c.centre = std::move(centre);
-  }
+  carry(c.centre, from, all_spheres ? 0 : 1);  // regions are known again by theirs
+  carry(c.cache, from, all_spheres ? 0 : 1);
   index_by_particle(world);
   c.reference.resize(p.count());
   for (std::size_t i = 0; i < p.count(); ++i) c.reference[i] = p.motion[i].position;
-  if (has_compounds(world)) c.reference_orientation = p.orientation;
-  if (!c.centre.empty() && !world.cell.deforms) {
-    c.travel.resize(p.count());
-    c.apart_until.resize(total);
-  }
+  c.reference_orientation = has_compounds(world) ? p.orientation : std::vector<Quatd>{};
+  c.travel.assign(all_spheres || world.cell.deforms ? 0 : p.count(), 0);
+  c.apart_until.assign(all_spheres || world.cell.deforms ? 0 : total, 0);
+  c.step_way = c.way = 0;
+  c.way_allowed = -1;
   for (Wall& wall : world.walls) {
     wall.list_position = wall.seen_position = wall.position;
     wall.list_orientation = wall.seen_orientation = wall.orientation;

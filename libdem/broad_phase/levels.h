@@ -15,21 +15,37 @@ class Levels {
  public:
   Levels(const std::vector<Motion>& bodies, double skin, const Cell& box);
 
-  // visit(j) for every body j whose bounding sphere is nearer than the skin to that of body i, i itself, and others.
+  // visit(j) for every body j whose bounding sphere is nearer than the skin to that of body i, i itself included.
   template <class Visit>
   void near(std::size_t i, Visit visit) const {
     const Motion& m = bodies_[i];
-    for (const Level& level : levels_) level.cells.near(m.position, m.bounding_radius + level.largest + skin_, visit);
+    for (const Level& level : levels_) {
+      const double own = m.bounding_radius + skin_;
+      level.cells.near(m.position, own + level.largest, [&](std::uint32_t first, std::uint32_t last) {
+        for (std::uint32_t k = first; k < last; ++k) {
+          const Ball& ball = level.balls[k];
+          const Vec3d d = lattice_.nearest(ball.centre - m.position);
+          const double reach = own + ball.radius;
+          if (dot(d, d) < reach * reach) visit(level.cells.order()[k]);
+        }
+      });
+    }
   }
   double largest() const { return levels_.empty() ? 0 : levels_.front().largest; }  // bounding radius, m
 
  private:
+  struct Ball {
+    Vec3d centre;
+    double radius;
+  };
   struct Level {
     double largest;  // bounding radius, m
     Cells cells;
+    std::vector<Ball> balls;  // in the order of the cells
   };
   const std::vector<Motion>& bodies_;
   double skin_;
+  contact::Lattice lattice_;
   std::vector<Level> levels_;  // of large bodies first
 };
 

@@ -1,16 +1,8 @@
 #include "libdem/broad_phase/wall_candidates.h"
 
-#include "libcontact/methods/polygon_regions.h"
 #include "libdem/broad_phase/part_candidates.h"
 
 namespace dem {
-
-void add_records(Candidate record, bool regions, std::vector<Candidate>& row) {
-  for (std::uint32_t slot = 0; slot < (regions ? contact::max_regions : 1); ++slot) {
-    record.key.part = slot;
-    row.push_back(record);
-  }
-}
 
 NearWalls::NearWalls(const World& world) : world_(world), facets_(world.walls.size()) {
   for (const Wall& w : world.walls) frames_.push_back(shapes::rotation_matrix(w.orientation));

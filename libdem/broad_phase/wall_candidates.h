@@ -3,13 +3,23 @@
 
 #include <vector>
 
+#include "libcontact/methods/polygon_regions.h"
 #include "libdem/broad_phase/candidate.h"
 #include "libdem/world.h"
 
 namespace dem {
 
 // Copies of a record for each region that its pair may touch in, or the record alone.
-void add_records(Candidate record, bool regions, std::vector<Candidate>& row);
+inline void add_records(Candidate record, bool regions, std::vector<Candidate>& row) {
+  if (!regions) {
+    row.push_back(record);
+    return;
+  }
+  for (std::uint32_t slot = 0; slot < contact::max_regions; ++slot) {
+    record.key.part = slot;
+    row.push_back(record);
+  }
+}
 
 // Walls as a block of bodies sees them: stored side by side, bodies of a block are near in space, and most facets of a
 // mesh are far from all of them.
