@@ -8,23 +8,35 @@
 namespace dem {
 namespace {
 
+// Written twice: first to count bytes, then into them.
 class Writer {
  public:
   template <class T>
   void value(const T& v) {
     static_assert(std::is_trivially_copyable_v<T>);
-    const auto at = bytes.size();
-    bytes.resize(at + sizeof v);
-    std::memcpy(bytes.data() + at, &v, sizeof v);
+    put(&v, sizeof v);
   }
   template <class T>
   void list(const std::vector<T>& v) {
     value(static_cast<std::uint64_t>(v.size()));
-    const auto at = bytes.size();
-    bytes.resize(at + v.size() * sizeof(T));
-    if (!v.empty()) std::memcpy(bytes.data() + at, v.data(), v.size() * sizeof(T));
+    put(v.data(), v.size() * sizeof(T));
+  }
+  template <class T>
+  void items(const T* v, std::size_t count) {
+    put(v, count * sizeof(T));
+  }
+  void begin() {
+    bytes.resize(at_);
+    at_ = 0;
   }
   std::vector<std::uint8_t> bytes;
+
+ private:
+  void put(const void* from, std::size_t size) {
+    if (!bytes.empty() && size > 0) std::memcpy(bytes.data() + at_, from, size);
+    at_ += size;
+  }
+  std::size_t at_ = 0;
 };
 
 class Reader {
@@ -125,8 +137,9 @@ void particles(Archive& a, W& world) {
 
 }  // namespace
 
-std::vector<std::uint8_t> save_state(const World& world) {
-  Writer w;
+namespace {
+
+void write(Writer& w, const World& world) {
   particles(w, world);
   for (const Wall& x : world.walls) {
     w.value(WallState{x.position, x.orientation, x.velocity, x.spin, x.force, x.torque, x.load.impulse, x.load.work,
@@ -136,22 +149,30 @@ std::vector<std::uint8_t> save_state(const World& world) {
     w.list(x.load.squares);
   }
   const Contacts& c = world.contacts;
-  std::vector<Kept> kept;
-  for (std::size_t k = 0; k < c.count(); ++k)
-    if (c.touching[k] != 0)
-      kept.push_back({c.key[k], c.index_a[k], c.index_b[k], c.history[k], c.slot[k],
-                      c.centre.empty() ? Vec3d{} : c.centre[k], c.share.empty() ? 1 : c.share[k]});
-  w.list(kept);
-  std::vector<double> memory;
-  std::vector<contact::Ledger> ledger;
-  for (std::size_t k = 0; k < c.count(); ++k) {
-    if (c.touching[k] == 0) continue;
-    const auto first = c.memory.begin() + static_cast<std::ptrdiff_t>(k * c.words);
-    memory.insert(memory.end(), first, first + static_cast<std::ptrdiff_t>(c.words));
-    if (!c.ledger.empty()) ledger.push_back(c.ledger[k]);
-  }
-  w.list(memory);
-  w.list(ledger);
+  const auto each_touching = [&](auto visit) {
+    for (std::size_t k = 0; k < c.count(); ++k)
+      if (c.touching[k] != 0) visit(k);
+  };
+  std::uint64_t count = 0;
+  each_touching([&](std::size_t) { ++count; });
+  w.value(count);
+  each_touching([&](std::size_t k) {
+    w.value(Kept{c.key[k], c.index_a[k], c.index_b[k], c.history[k], c.slot[k],
+                 c.centre.empty() ? Vec3d{} : c.centre[k], c.share.empty() ? 1 : c.share[k]});
+  });
+  w.value(static_cast<std::uint64_t>(count * c.words));
+  each_touching([&](std::size_t k) { w.items(c.memory.data() + k * c.words, c.words); });
+  w.value(c.ledger.empty() ? std::uint64_t(0) : count);
+  if (!c.ledger.empty()) each_touching([&](std::size_t k) { w.value(c.ledger[k]); });
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> save_state(const World& world) {
+  Writer w;
+  write(w, world);
+  w.begin();
+  write(w, world);
   return std::move(w.bytes);
 }
 

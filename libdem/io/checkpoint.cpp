@@ -84,10 +84,8 @@ std::optional<Checkpoint> read(const Entry& entry) {
 
 void write_checkpoint(const std::string& folder, std::uint64_t step, const std::vector<std::uint8_t>& state) {
   const Header header{magic, format, step, state.size(), checksum(step, state)};
-  std::vector<std::uint8_t> bytes(sizeof header + state.size());
-  std::memcpy(bytes.data(), header.data(), sizeof header);
-  std::copy(state.begin(), state.end(), bytes.begin() + sizeof header);
-  write_file(fmt::format("{}/{}{:012}{}", folder, prefix, step, suffix), bytes, Durability::synced);
+  write_file(fmt::format("{}/{}{:012}{}", folder, prefix, step, suffix), state, Durability::synced,
+             {reinterpret_cast<const std::uint8_t*>(header.data()), sizeof header});
 
   // Later ones belong to a history that a resume has left behind (it starts from the newest intact file, so they are
   // damaged); of the others the newest two stay.

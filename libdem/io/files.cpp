@@ -58,10 +58,12 @@ std::string read_file(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-void write_file(const std::string& path, std::span<const std::uint8_t> bytes, Durability durability) {
+void write_file(const std::string& path, std::span<const std::uint8_t> bytes, Durability durability,
+                std::span<const std::uint8_t> head) {
   const std::string aside = path + ".part";
   {
     Descriptor file(aside, O_WRONLY | O_CREAT | O_TRUNC);
+    file.write(head);
     file.write(bytes);
     if (durability == Durability::synced) file.sync();
     file.close();

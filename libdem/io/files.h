@@ -17,8 +17,9 @@ enum class Durability {
 // All bytes of a file; empty when it cannot be read.
 std::string read_file(const std::string& path);
 
-// Replaces `path` by the bytes; RunError with the path and the system's reason when that fails.
-void write_file(const std::string& path, std::span<const std::uint8_t> bytes, Durability durability);
+// Replaces `path` by the bytes, those of `head` first; RunError with the path and the system's reason when that fails.
+void write_file(const std::string& path, std::span<const std::uint8_t> bytes, Durability durability,
+                std::span<const std::uint8_t> head = {});
 void write_file(const std::string& path, std::string_view text);
 
 }  // namespace dem::io
