@@ -22,8 +22,9 @@ struct CornerWeights {
   double a, b, c;
   CornerWeights(double area, double ra, double rb, double rc, double variance) {
     const double squares = ra * ra + rb * rb + rc * rc, total = ra + rb + rc;
+    const double thirtieth = area * (1.0 / 30), level = area * (1.0 / 3) * variance;
     const auto of = [&](double own, double others) {
-      return area * ((squares + 2 * own * total + others) / 30 - variance / 3);
+      return thirtieth * (squares + 2 * own * total + others) - level;
     };
     a = of(ra, rb * rc);
     b = of(rb, ra * rc);
