@@ -1,15 +1,12 @@
 #include "libcontact/methods/overlap_body.h"
 
+#include <algorithm>
 #include <cmath>
-#include <experimental/simd>
 #include <utility>
 
 namespace contact {
 
 namespace {
-
-using Lanes = std::experimental::native_simd<double>;
-using std::experimental::element_aligned;
 
 OverlapBody& scratch() {
   static thread_local OverlapBody of_thread;
@@ -18,6 +15,12 @@ OverlapBody& scratch() {
 
 Vec3d crossing(const Vec3d& in, const Vec3d& out, double height_in, double height_out) {
   return in + (height_in / (height_in - height_out)) * (out - in);
+}
+
+HalfSpace face_of_other(const PolyhedronPair& pair, std::uint32_t i) {
+  const auto& face = pair.other->faces[i];
+  const Vec3d n = pair.other_to_self * face.normal;
+  return {n, pair.other_scale * face.offset + dot(n, pair.offset)};
 }
 
 }  // namespace
@@ -107,14 +110,14 @@ void OverlapBody::begin(const shapes::Polyhedron& p, double scale, const HalfSpa
     if (sides[i].to >= none - crossings) sides[i].to = found + (none - 1 - sides[i].to);
   corner_count_ = found + crossings;
   side_count_ = side_count;
-  close(found, keep.n);
+  close(found, keep.n, true);
 }
 
 // Adds the sides of the face that a cut makes; the corners of its crossings come after `kept` others.
-void OverlapBody::close(std::uint32_t kept, const Vec3d& normal) {
+void OverlapBody::close(std::uint32_t kept, const Vec3d& normal, bool of_other) {
   if (closing_count_ == 0) return;
   const auto face = static_cast<std::uint32_t>(face_count_);
-  faces_[face_count_++] = {normal, none, true};
+  faces_[face_count_++] = {normal, none, of_other};
   for (std::size_t i = 0; i < closing_count_; ++i) {
     const Side& s = closing_[i];
     sides_[side_count_++] = {kept + s.from, kept + s.to, s.left, face};
@@ -122,7 +125,7 @@ void OverlapBody::close(std::uint32_t kept, const Vec3d& normal) {
   closing_count_ = 0;
 }
 
-void OverlapBody::cut(const HalfSpace& keep) {
+void OverlapBody::cut(const HalfSpace& keep, bool of_other) {
   const std::size_t count = corner_count_;
   height_.make_room(count);
   kept_as_.make_room(count);
@@ -166,71 +169,122 @@ void OverlapBody::cut(const HalfSpace& keep) {
   for (std::uint32_t c = 0; c < crossings; ++c) corners[kept + c] = corners[count + c];
   corner_count_ = kept + crossings;
   side_count_ = left;
-  close(kept, keep.n);
+  close(kept, keep.n, of_other);
 }
 
-void OverlapBody::cut_by_other(const PolyhedronPair& pair, std::uint32_t except) {
-  if (empty()) return;
-  const shapes::Polyhedron& other = *pair.other;
-  // The ball about what is left, in other's geometry.
-  Vec3d low = corners_[0], high = low;
-  for (const Vec3d& x : corners()) {
-    low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
-    high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
-  }
-  const Vec3d middle = 0.5 * (low + high);
+// The ball about what is left tells which planes may cut; in p's geometry.
+template <class FaceOf>
+void OverlapBody::cut_by(const shapes::Polyhedron& p, const Vec3d& middle, double radius, Except except, bool of_other,
+                         FaceOf&& face_of) {
+  near_.make_room(p.nx.size() + 1);
+  const double reach = radius + 32 * epsilon * (max_abs(middle) + p.circumradius);
+  const std::size_t count = kernels::search_kernels().reaching(
+      {p.nx.data(), p.ny.data(), p.nz.data(), p.nx.size()}, p.nd.data(), p.faces.size(), middle, reach, near_.data());
+  for (std::size_t i = 0; i < count && !empty(); ++i)
+    if (const std::uint32_t face = near_[i]; face != except.face[0] && face != except.face[1])
+      cut(face_of(face), of_other);
+}
+
+OverlapBody::Ball OverlapBody::ball() const {
+  Vec3d sum{};
+  for (const Vec3d& x : corners()) sum += x;
+  Ball ball{sum * (1 / static_cast<double>(corner_count_)), 0};
   double square = 0;
-  for (const Vec3d& x : corners()) square = std::max(square, dot(x - middle, x - middle));
-  const double down = 1 / pair.other_scale;
-  const Vec3d m = down * transposed_times(pair.other_to_self, middle - pair.offset);
-  const double reach = down * std::sqrt(square) + 32 * epsilon * (max_abs(m) + other.circumradius);
-  const Lanes x = m.x, y = m.y, z = m.z;
-  const auto count = static_cast<std::uint32_t>(other.faces.size());
-  constexpr std::uint32_t block = shapes::polyhedron_padding;
-  for (std::uint32_t first = 0; first < count; first += block) {
-    double above[block];  // how far the ball reaches over each plane
-    bool any = false;
-    for (std::uint32_t i = 0; i < block; i += static_cast<std::uint32_t>(Lanes::size())) {
-      const std::size_t k = first + i;
-      const Lanes h = Lanes(&other.nx[k], element_aligned) * x + Lanes(&other.ny[k], element_aligned) * y +
-                      Lanes(&other.nz[k], element_aligned) * z - Lanes(&other.nd[k], element_aligned) + reach;
-      h.copy_to(above + i, element_aligned);
-      any |= any_of(h > 0);
-    }
-    if (!any) continue;
-    for (std::uint32_t i = 0; i < block && first + i < count; ++i) {
-      if (!(above[i] > 0) || first + i == except) continue;
-      cut(face_of_other(pair, first + i));
-      if (empty()) return;
-    }
-  }
+  for (const Vec3d& x : corners()) square = std::max(square, dot(x - ball.middle, x - ball.middle));
+  ball.radius = std::sqrt(square);
+  return ball;
 }
 
-HalfSpace face_of_other(const PolyhedronPair& pair, std::uint32_t i) {
-  const auto& face = pair.other->faces[i];
-  const Vec3d n = pair.other_to_self * face.normal;
-  return {n, pair.other_scale * face.offset + dot(n, pair.offset)};
+void OverlapBody::cut_by_self(const PolyhedronPair& pair, Except except) {
+  if (empty()) return;
+  const Ball b = ball();
+  const double down = 1 / pair.self_scale;
+  cut_by(*pair.self, down * b.middle, down * b.radius, except, false, [&](std::uint32_t i) {
+    const auto& face = pair.self->faces[i];
+    return HalfSpace{face.normal, pair.self_scale * face.offset};
+  });
+}
+
+void OverlapBody::cut_by_other(const PolyhedronPair& pair, Except except) {
+  if (empty()) return;
+  const Ball b = ball();
+  const double down = 1 / pair.other_scale;
+  cut_by(*pair.other, down * transposed_times(pair.other_to_self, b.middle - pair.offset), down * b.radius, except,
+         true, [&](std::uint32_t i) { return face_of_other(pair, i); });
+}
+
+bool OverlapBody::begin(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other) {
+  const auto &a = pair.self->edges[edge_of_self], &b = pair.other->edges[edge_of_other];
+  const Vec3d p = pair.self_vertex(a.vertex[0]), e = pair.self_vertex(a.vertex[1]) - p;
+  const Vec3d q = pair.other_vertex(b.vertex[0]), f = pair.other_vertex(b.vertex[1]) - q, w = q - p;
+  const Vec3d of_a[2] = {pair.self->faces[a.face[0]].normal, pair.self->faces[a.face[1]].normal};
+  const Vec3d of_b[2] = {pair.other_to_self * pair.other->faces[b.face[0]].normal,
+                         pair.other_to_self * pair.other->faces[b.face[1]].normal};
+  // Where the line of each edge meets the faces at the other one: corners 0 and 1 on self's, 2 and 3 on other's, in the
+  // order of other's faces and self's.
+  const double rise_a[2] = {dot(of_b[0], e), dot(of_b[1], e)}, rise_b[2] = {dot(of_a[0], f), dot(of_a[1], f)};
+  // Along self's edge from other's face `low` to its face `high`; then other's edge runs from self's face 0 to 1 with
+  // `low` on its left.
+  const std::uint32_t low = rise_a[0] < 0 ? 0 : 1, high = 1 - low;
+  if (!(rise_a[low] < 0 && rise_a[high] > 0 && rise_b[low] < 0 && rise_b[high] > 0)) return false;
+  double s[2], t[2];
+  for (int i = 0; i < 2; ++i) {
+    s[i] = dot(of_b[i], w) / rise_a[i];
+    t[i] = -dot(of_a[i], w) / rise_b[i];
+  }
+  const auto near_edge = [](double x) { return std::abs(x) <= 2; };
+  if (!(s[low] < s[high] && t[low] < t[high] && near_edge(s[0]) && near_edge(s[1]) && near_edge(t[0]) &&
+        near_edge(t[1])))
+    return false;
+  clear();
+  closing_count_ = 0;
+  corners_.make_room(4);
+  sides_.make_room(6);
+  faces_.make_room(4);
+  for (std::size_t i = 0; i < 2; ++i) {
+    corners_[i] = p + s[i] * e;
+    corners_[2 + i] = q + t[i] * f;
+    faces_[i] = {of_a[i], none, false};
+    faces_[2 + i] = {of_b[i], none, true};
+  }
+  const std::uint32_t left = 2 + low, right = 2 + high;
+  const Side sides[6] = {{low, high, 0, 1}, {2, 3, left, right}, {high, 2, 0, right},
+                         {2, low, 0, left}, {low, 3, 1, left},   {3, high, 1, right}};
+  std::copy_n(sides, 6, sides_.data());
+  corner_count_ = face_count_ = 4;
+  side_count_ = 6;
+  return true;
 }
 
 const OverlapBody& overlap_body(const PolyhedronPair& pair) {
   OverlapBody& body = scratch();
   body.begin(*pair.self, pair.self_scale);
-  body.cut_by_other(pair);
+  body.cut_by_other(pair, {});
   return body;
 }
 
 const OverlapBody& overlap_under_face(const PolyhedronPair& pair, std::uint32_t face, std::uint32_t vertex) {
   OverlapBody& body = scratch();
   body.begin(*pair.self, pair.self_scale, face_of_other(pair, face), vertex);
-  body.cut_by_other(pair, face);
+  body.cut_by_other(pair, {{face, OverlapBody::none}});
   return body;
 }
 
-const OverlapBody& overlap_along(const PolyhedronPair& pair, const Vec3d& n, double depth, std::uint32_t vertex) {
+const OverlapBody& overlap_of_edges(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other,
+                                    const Vec3d& n, double depth) {
   OverlapBody& body = scratch();
-  // A plane clear of other, whose own planes then cut its face away.
-  body.begin(*pair.self, pair.self_scale, {-n, 1.5 * depth - dot(n, pair.self_vertex(vertex))}, vertex);
-  body.cut_by_other(pair);
+  const auto &a = pair.self->edges[edge_of_self], &b = pair.other->edges[edge_of_other];
+  const OverlapBody::Except of_other{{b.face[0], b.face[1]}};
+  if (body.begin(pair, edge_of_self, edge_of_other)) {
+    body.cut_by_self(pair, {{a.face[0], a.face[1]}});
+    body.cut_by_other(pair, of_other);
+    return body;
+  }
+  // What self has under a plane clear of other, whose own planes then cut its face away.
+  body.begin(*pair.self, pair.self_scale, {-n, 1.25 * depth - dot(n, pair.self_vertex(a.vertex[0]))}, a.vertex[0]);
+  for (const std::uint32_t face : of_other.face)
+    if (!body.empty()) body.cut(face_of_other(pair, face));
+  body.cut_by_other(pair, of_other);
   return body;
 }
 

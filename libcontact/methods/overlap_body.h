@@ -28,12 +28,12 @@ struct HalfSpace {
   double level;
 };
 
-// Face i of other, in the frame of self.
-HalfSpace face_of_other(const PolyhedronPair& pair, std::uint32_t i);
-
 class OverlapBody {
  public:
   static constexpr std::uint32_t none = 0xffffffffu;
+  struct Except {
+    std::uint32_t face[2] = {none, none};
+  };
   struct Side {
     std::uint32_t from, to;     // corners
     std::uint32_t left, right;  // faces, seen from outside along the side
@@ -47,9 +47,13 @@ class OverlapBody {
   // What lies of p, scaled, in the half space; `start`: the vertex farthest inside.
   void begin(const shapes::Polyhedron& p, double scale, const HalfSpace& keep, std::uint32_t start);
   void begin(const shapes::Polyhedron& p, double scale) { begin(p, scale, {{}, 1}, 0); }
-  void cut(const HalfSpace& keep);
-  // Keeps what lies in the pair's other body, behind all its faces but `except`.
-  void cut_by_other(const PolyhedronPair& pair, std::uint32_t except = none);
+  // What lies behind the two faces at an edge of each body, a tetrahedron. False: the edges do not pass through each
+  // other, or pass nearly parallel.
+  bool begin(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other);
+  void cut(const HalfSpace& keep, bool of_other = true);
+  // Keeps what lies behind all faces of one of the pair but those in `except`.
+  void cut_by_self(const PolyhedronPair& pair, Except except);
+  void cut_by_other(const PolyhedronPair& pair, Except except);
 
   bool empty() const { return side_count_ == 0; }
   std::span<const Vec3d> corners() const { return {corners_.data(), corner_count_}; }
@@ -60,17 +64,25 @@ class OverlapBody {
   struct Mark {
     std::uint32_t stamp, name;
   };
+  struct Ball {
+    Vec3d middle;
+    double radius;
+  };
+  Ball ball() const;
   void clear() { corner_count_ = side_count_ = face_count_ = 0; }
   void begin_walk(const shapes::Polyhedron& p);
   std::uint32_t name_of_face(const shapes::Polyhedron& p, std::uint32_t face);
   void meet(std::uint32_t face, std::uint32_t crossing, std::uint32_t enters);
-  void close(std::uint32_t kept, const Vec3d& normal);
+  void close(std::uint32_t kept, const Vec3d& normal, bool of_other);
+  template <class FaceOf>
+  void cut_by(const shapes::Polyhedron& p, const Vec3d& middle, double radius, Except except, bool of_other,
+              FaceOf&& face_of);
 
   ScratchList<Vec3d> corners_;
   ScratchList<Side> sides_, closing_;  // closing_: of the face that a cut makes
   ScratchList<Face> faces_;
   ScratchList<double> height_;
-  ScratchList<std::uint32_t> kept_as_, queue_;
+  ScratchList<std::uint32_t> kept_as_, queue_, near_;
   ScratchList<std::uint32_t> next_;  // of a crossing in each of its two faces: the one that waits after it
   std::size_t corner_count_ = 0, side_count_ = 0, face_count_ = 0, closing_count_ = 0;
   std::vector<Mark> vertices_, faces_of_walk_;  // what they are here, where the stamp is the last walk's
@@ -81,8 +93,9 @@ class OverlapBody {
 const OverlapBody& overlap_body(const PolyhedronPair& pair);
 // The same where self reaches under a face of other with a vertex that lies farthest below it.
 const OverlapBody& overlap_under_face(const PolyhedronPair& pair, std::uint32_t face, std::uint32_t vertex);
-// The same where self reaches by `depth` into other along n, from self to other, farthest with a vertex.
-const OverlapBody& overlap_along(const PolyhedronPair& pair, const Vec3d& n, double depth, std::uint32_t vertex);
+// The same where two edges pass through each other, by `depth` along n, from self to other.
+const OverlapBody& overlap_of_edges(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other,
+                                    const Vec3d& n, double depth);
 // What lies of p, scaled, in the half space.
 const OverlapBody& overlap_body(const shapes::Polyhedron& p, double scale, const HalfSpace& keep);
 

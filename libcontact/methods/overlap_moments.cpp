@@ -8,7 +8,6 @@ namespace contact {
 
 namespace {
 
-using Face = OverlapBody::Face;
 using Side = OverlapBody::Side;
 
 // Axes with n last.
@@ -18,21 +17,55 @@ struct Axes {
   Vec3d operator()(const Vec3d& x) const { return {dot(t, x), dot(s, x), dot(n, x)}; }
 };
 
-// Per corner and face of a body.
-struct Work {
-  ScratchList<Vec3d> places;
-  ScratchList<double> residuals, volumes;
-  ScratchList<std::uint32_t> fans;
+struct Triangle {
+  std::uint32_t a, b, c;
 };
+// What a body is summed over: a fan of triangles in each face, spread from the first of its corners.
+struct Work {
+  ScratchList<Vec3d> places;                // of corners along the axes, from corner 0
+  ScratchList<double> residuals, volumes;   // of corners
+  ScratchList<std::uint32_t> fans;          // of faces: the corner
+  ScratchList<Triangle> cones, of_other;    // those not at corner 0; those of other's faces
+  ScratchList<Side> rim;                    // turned: self's face to the left
+  std::size_t cone_count = 0, of_other_count = 0, rim_count = 0;
 
-// Calls visit(f, p, q) for the triangles of a fan in each face, f the corner that it spreads from.
-template <class Visit>
-void each_triangle(const OverlapBody& body, const std::uint32_t* fans, Visit&& visit) {
-  for (const Side& s : body.sides()) {
-    if (const std::uint32_t f = fans[s.left]; f != s.from && f != s.to) visit(s.left, f, s.from, s.to);
-    if (const std::uint32_t f = fans[s.right]; f != s.from && f != s.to) visit(s.right, f, s.to, s.from);
+  void gather(const OverlapBody& body) {
+    const auto faces = body.faces();
+    const auto sides = body.sides();
+    const std::size_t corners = body.corners().size();
+    places.make_room(corners);
+    residuals.make_room(corners);
+    volumes.make_room(corners);
+    fans.make_room(faces.size());
+    cones.make_room(2 * sides.size() + 1);
+    of_other.make_room(2 * sides.size() + 1);
+    rim.make_room(sides.size() + 1);
+    std::fill_n(fans.data(), faces.size(), OverlapBody::none);
+    for (const Side& s : sides) {
+      const std::uint32_t first = std::min(s.from, s.to);
+      fans[s.left] = std::min(fans[s.left], first);
+      fans[s.right] = std::min(fans[s.right], first);
+    }
+    // No branch on what cannot be guessed.
+    std::size_t cone = 0, other = 0, between = 0;
+    for (const Side& s : sides) {
+      const bool left = faces[s.left].of_other, right = faces[s.right].of_other;
+      const std::uint32_t f = fans[s.left], g = fans[s.right];
+      const bool in_left = f != s.from && f != s.to, in_right = g != s.from && g != s.to;
+      cones[cone] = {f, s.from, s.to};
+      cone += in_left && f != 0 ? 1 : 0;
+      of_other[other] = {f, s.from, s.to};
+      other += in_left && left ? 1 : 0;
+      cones[cone] = {g, s.to, s.from};
+      cone += in_right && g != 0 ? 1 : 0;
+      of_other[other] = {g, s.to, s.from};
+      other += in_right && right ? 1 : 0;
+      rim[between] = left ? Side{s.to, s.from, s.right, s.left} : s;
+      between += left != right ? 1 : 0;
+    }
+    cone_count = cone, of_other_count = other, rim_count = between;
   }
-}
+};
 
 }  // namespace
 
@@ -46,40 +79,25 @@ OverlapDepth line_of_action(const DepthSlope& s) {
 
 bool depth_slope(const OverlapBody& body, double size, DepthSlope& out) {
   if (body.empty()) return false;
+  static thread_local Work work;
+  work.gather(body);
   const auto corners = body.corners();
   const auto faces = body.faces();
+  const std::span<const Side> rim(work.rim.data(), work.rim_count);
   const Vec3d apex = corners[0];
-  // Vector area of what lies of self's surface in other, from the rim between the two.
-  Vec3d surface{};
-  for (const Side& s : body.sides()) {
-    const bool left = faces[s.left].of_other, right = faces[s.right].of_other;
-    if (left == right) continue;
-    const Vec3d twice = cross(corners[s.from] - apex, corners[s.to] - apex);
-    surface += right ? 0.5 * twice : -0.5 * twice;
-  }
+  Vec3d surface{};  // vector area of what lies of self's surface in other
+  for (const Side& s : rim) surface += cross(corners[s.from] - apex, corners[s.to] - apex);
+  surface *= 0.5;
   const double section = norm(surface);
   if (!(section > least_depth * least_depth * size * size)) return false;
   const Axes axes(surface * (1 / section));
 
-  static thread_local Work work;
   const std::size_t count = corners.size();
-  work.places.make_room(count);
-  work.residuals.make_room(count);
-  work.volumes.make_room(count);
-  work.fans.make_room(faces.size());
-  Vec3d* const places = work.places.data();  // along the axes, from the apex
+  Vec3d* const places = work.places.data();
   double *const residuals = work.residuals.data(), *const volumes = work.volumes.data();
-  std::uint32_t* const fans = work.fans.data();
   for (std::size_t i = 0; i < count; ++i) {
     places[i] = axes(corners[i] - apex);
     volumes[i] = 0;
-  }
-  // Faces with the apex spread from there: they have no part in the volume.
-  std::fill_n(fans, faces.size(), OverlapBody::none);
-  for (const Side& s : body.sides()) {
-    const bool at_apex = s.from == 0 || s.to == 0;
-    for (const std::uint32_t f : {s.left, s.right})
-      if (at_apex || fans[f] == OverlapBody::none) fans[f] = at_apex ? 0 : s.from;
   }
   // Of a cone of volume v with its apex in the origin over a triangle: ∫x = v/4 Σ, ∫xxᵀ = v/20 (ΣΣᵀ + Σ xxᵀ), Σ the sum
   // of its corners.
@@ -93,8 +111,7 @@ bool depth_slope(const OverlapBody& body, double size, DepthSlope& out) {
     xz += v * (a.x * a.z);
     yz += v * (a.y * a.z);
   };
-  each_triangle(body, fans, [&](std::uint32_t, std::uint32_t f, std::uint32_t p, std::uint32_t q) {
-    if (f == 0) return;
+  for (const auto& [f, p, q] : std::span<const Triangle>(work.cones.data(), work.cone_count)) {
     const double v = dot(places[f], cross(places[p], places[q]));
     const Vec3d sum = places[f] + places[p] + places[q];
     volume += v;
@@ -103,7 +120,7 @@ bool depth_slope(const OverlapBody& body, double size, DepthSlope& out) {
     volumes[q] += v;
     c += v * sum;
     add(v, sum);
-  });
+  }
   if (!(volume > 0)) return false;
   for (std::size_t i = 1; i < count; ++i) add(volumes[i], places[i]);
   const double w = 0.05 / volume;
@@ -122,24 +139,24 @@ bool depth_slope(const OverlapBody& body, double size, DepthSlope& out) {
   }
 
   Vec3d force{}, moment{};  // along the axes
-  each_triangle(body, fans, [&](std::uint32_t face, std::uint32_t f, std::uint32_t p, std::uint32_t q) {  // (4)
-    if (!faces[face].of_other) return;
+  for (const auto& [f, p, q] : std::span<const Triangle>(work.of_other.data(), work.of_other_count)) {  // (4)
     const CornerWeights at(0.5, residuals[f], residuals[p], residuals[q], variance);
     const Vec3d twice = cross(places[p] - places[f], places[q] - places[f]);
     force += at.sum() * twice;
     moment += cross(at.a * places[f] + at.b * places[p] + at.c * places[q], twice);
-  });
+  }
   const double scale = -out.depth / (2 * variance * volume);
   const auto back = [&](const Vec3d& x) { return axes.t * x.x + axes.s * x.y + axes.n * x.z; };
   out.force = back(scale * force);
   out.moment = back(scale * moment);
   out.centroid = apex + back(c);
+  out.volume = volume;
+  out.tt = xx, out.uu = yy, out.tu = xy;
+  out.t = axes.t, out.u = axes.s;
   // The rim, along the body's axes.
   const Vec3d slope = (out.depth / section) * (tilt.u * axes.t + tilt.v * axes.s);
-  for (const Side& s : body.sides()) {
-    const Face &left = faces[s.left], &right = faces[s.right];
-    if (left.of_other == right.of_other) continue;
-    const Vec3d &normal = (left.of_other ? right : left).normal, &across = (left.of_other ? left : right).normal;
+  for (const Side& s : rim) {
+    const Vec3d &normal = faces[s.left].normal, &across = faces[s.right].normal;
     const Vec3d &from = corners[s.from], &to = corners[s.to], along = to - from, sine = cross(normal, across);
     const double square = dot(sine, sine);
     if (!(square > 0)) continue;
