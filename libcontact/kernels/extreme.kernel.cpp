@@ -68,13 +68,14 @@ std::size_t reaching(const Points& normals, const double* offsets, std::size_t p
   const Pack x = centre.x, y = centre.y, z = centre.z;
   std::size_t found = 0;
   for (std::size_t i = 0; i < normals.count; i += width) {
-    const Pack height = x * Pack(normals.x + i, element_aligned) + y * Pack(normals.y + i, element_aligned) +
-                        z * Pack(normals.z + i, element_aligned) - Pack(offsets + i, element_aligned);
-    const auto over = height + radius > 0;
-    if (none_of(over)) continue;
+    const Pack over = x * Pack(normals.x + i, element_aligned) + y * Pack(normals.y + i, element_aligned) +
+                      z * Pack(normals.z + i, element_aligned) - Pack(offsets + i, element_aligned) + radius;
+    if (none_of(over > 0)) continue;
+    double by[width];
+    over.copy_to(by, element_aligned);
     for (std::size_t lane = 0; lane < width; ++lane) {
       out[found] = static_cast<std::uint32_t>(i + lane);
-      found += over[lane] && i + lane < planes ? 1 : 0;
+      found += static_cast<std::size_t>(by[lane] > 0) & static_cast<std::size_t>(i + lane < planes);
     }
   }
   return found;

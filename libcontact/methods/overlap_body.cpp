@@ -27,7 +27,6 @@ HalfSpace face_of_other(const PolyhedronPair& pair, std::uint32_t i) {
 
 void OverlapBody::begin_walk(const shapes::Polyhedron& p) {
   clear();
-  closing_count_ = 0;
   if (vertices_.size() < p.vertices.size()) vertices_.resize(p.vertices.size());
   if (faces_of_walk_.size() < p.faces.size()) faces_of_walk_.resize(p.faces.size());
   if (++stamp_ == 0) {  // all stamps have been used
@@ -39,8 +38,7 @@ void OverlapBody::begin_walk(const shapes::Polyhedron& p) {
   queue_.make_room(p.vertices.size());
   corners_.make_room(p.vertices.size() + edges);
   sides_.make_room(2 * edges);
-  closing_.make_room(edges);
-  next_.make_room(2 * edges);
+  crossings_.make_room(edges);
   faces_.make_room(p.faces.size() + 1);
 }
 
@@ -48,25 +46,33 @@ std::uint32_t OverlapBody::name_of_face(const shapes::Polyhedron& p, std::uint32
   Mark& mark = faces_of_walk_[face];
   if (mark.stamp != stamp_) {
     mark = {stamp_, static_cast<std::uint32_t>(face_count_)};
-    faces_[face_count_++] = {p.faces[face].normal, none, false};
+    faces_[face_count_++] = {p.faces[face].normal, 0, false};
   }
   return mark.name;
 }
 
-// Round a face places where it leaves and where it enters what is kept take turns: each meets one of the other kind,
-// and there a side of the cut's own face runs. Rounding may cross a face in the plane more than twice: then any two
-// may meet.
-void OverlapBody::meet(std::uint32_t face, std::uint32_t crossing, std::uint32_t enters) {
-  std::uint32_t& waiting = faces_[face].waiting;
-  const std::uint32_t mine = 2 * crossing + enters;
-  if (waiting == none || (waiting & 1) == enters) {
-    next_[mine] = waiting;
-    waiting = mine;
-    return;
+// Adds the face that a cut makes; the corners of its crossings come after `kept` others. In every face a side of it
+// runs from where the face leaves what is kept to where it enters it again.
+void OverlapBody::close(std::uint32_t kept, std::uint32_t crossings, const Vec3d& normal, bool of_other) {
+  const auto face = static_cast<std::uint32_t>(face_count_);
+  faces_[face_count_++] = {normal, 0, of_other};
+  Side* const sides = sides_.data() + side_count_;
+  bool once = true;
+  for (std::uint32_t c = 0; c < crossings; ++c) {
+    const Crossing& here = crossings_[c];
+    sides[c] = {kept + c, kept + faces_[here.leaves].enters, here.leaves, face};
+    once &= faces_[here.enters].enters == c;
   }
-  const std::uint32_t other = waiting >> 1;
-  waiting = next_[waiting];
-  closing_[closing_count_++] = {enters != 0 ? other : crossing, enters != 0 ? crossing : other, face, none};
+  side_count_ += crossings;
+  if (once) return;
+  // Rounding crosses a face in the plane more than twice: then any two may be joined.
+  for (std::uint32_t c = 0; c < crossings; ++c)
+    for (std::uint32_t e = 0; e < crossings; ++e)
+      if (crossings_[e].enters == crossings_[c].leaves) {
+        sides[c].to = kept + e;
+        crossings_[e].enters = none;
+        break;
+      }
 }
 
 void OverlapBody::begin(const shapes::Polyhedron& p, double scale, const HalfSpace& keep, std::uint32_t start) {
@@ -93,8 +99,8 @@ void OverlapBody::begin(const shapes::Polyhedron& p, double scale, const HalfSpa
         const std::uint32_t c = crossings++;
         cut_corners[c] = crossing(x, scale * spoke.to, here, there);
         sides[side_count++] = {i, none - 1 - c, left, before};
-        meet(left, c, 0);
-        meet(before, c, 1);
+        crossings_[c] = {left, before};
+        faces_[before].enters = c;
         continue;
       }
       Mark& mark = vertices_[spoke.vertex];
@@ -110,22 +116,11 @@ void OverlapBody::begin(const shapes::Polyhedron& p, double scale, const HalfSpa
     if (sides[i].to >= none - crossings) sides[i].to = found + (none - 1 - sides[i].to);
   corner_count_ = found + crossings;
   side_count_ = side_count;
-  close(found, keep.n, true);
+  if (crossings > 0) close(found, crossings, keep.n, true);
+  form_ = found == 1 && crossings == 3 ? Form::of_three_sides : Form::general;
 }
 
-// Adds the sides of the face that a cut makes; the corners of its crossings come after `kept` others.
-void OverlapBody::close(std::uint32_t kept, const Vec3d& normal, bool of_other) {
-  if (closing_count_ == 0) return;
-  const auto face = static_cast<std::uint32_t>(face_count_);
-  faces_[face_count_++] = {normal, none, of_other};
-  for (std::size_t i = 0; i < closing_count_; ++i) {
-    const Side& s = closing_[i];
-    sides_[side_count_++] = {kept + s.from, kept + s.to, s.left, face};
-  }
-  closing_count_ = 0;
-}
-
-void OverlapBody::cut(const HalfSpace& keep, bool of_other) {
+bool OverlapBody::cut(const HalfSpace& keep, bool of_other) {
   const std::size_t count = corner_count_;
   height_.make_room(count);
   kept_as_.make_room(count);
@@ -137,80 +132,110 @@ void OverlapBody::cut(const HalfSpace& keep, bool of_other) {
     kept_as[i] = kept;
     kept += height[i] > 0 ? 0 : 1;
   }
-  if (kept == count) return;
-  if (kept == 0) return clear();
+  if (kept == count) return false;
+  if (kept == 0) {
+    clear();
+    return true;
+  }
   corners_.make_room(count + side_count_, count);
   sides_.make_room(2 * side_count_, side_count_);
-  closing_.make_room(side_count_);
-  next_.make_room(2 * side_count_);
+  crossed_.make_room(side_count_ + 1);
+  crossings_.make_room(side_count_);
   faces_.make_room(face_count_ + 1, face_count_);
+  form_ = Form::general;
+  ball_known_ = false;
   Vec3d* const corners = corners_.data();
-  Side* const sides = sides_.data();
-  std::uint32_t crossings = 0;
-  std::size_t left = 0;
+  Side *const sides = sides_.data(), *const crossed = crossed_.data();
+  // No branch on what cannot be guessed.
+  std::size_t left = 0, crossings = 0;
   for (std::size_t i = 0; i < side_count_; ++i) {
-    Side s = sides[i];
-    const bool from_out = height[s.from] > 0, to_out = height[s.to] > 0;
-    if (from_out && to_out) continue;
-    if (from_out != to_out) {
-      const std::uint32_t in = from_out ? s.to : s.from, out = from_out ? s.from : s.to, c = crossings++;
-      corners[count + c] = crossing(corners[in], corners[out], height[in], height[out]);
-      meet(s.left, c, from_out ? 1 : 0);
-      meet(s.right, c, from_out ? 0 : 1);
-      s.from = from_out ? kept + c : kept_as[s.from];
-      s.to = from_out ? kept_as[s.to] : kept + c;
-    } else {
-      s.from = kept_as[s.from];
-      s.to = kept_as[s.to];
-    }
-    sides[left++] = s;
+    const Side s = sides[i];
+    const std::size_t from_out = height[s.from] > 0, to_out = height[s.to] > 0;
+    crossed[crossings] = s;
+    crossings += from_out ^ to_out;
+    sides[left] = {kept_as[s.from], kept_as[s.to], s.left, s.right};
+    left += (from_out | to_out) ^ 1;
+  }
+  for (std::uint32_t c = 0; c < crossings; ++c) {
+    const Side& s = crossed[c];
+    const bool from_out = height[s.from] > 0;
+    const std::uint32_t in = from_out ? s.to : s.from, out = from_out ? s.from : s.to,
+                        leaves = from_out ? s.right : s.left, enters = from_out ? s.left : s.right, here = kept + c;
+    corners[count + c] = crossing(corners[in], corners[out], height[in], height[out]);
+    crossings_[c] = {leaves, enters};
+    faces_[enters].enters = c;
+    sides[left++] = {from_out ? here : kept_as[in], from_out ? kept_as[in] : here, s.left, s.right};
   }
   for (std::size_t i = 0; i < count; ++i) corners[kept_as[i]] = corners[i];
-  for (std::uint32_t c = 0; c < crossings; ++c) corners[kept + c] = corners[count + c];
+  for (std::size_t c = 0; c < crossings; ++c) corners[kept + c] = corners[count + c];
   corner_count_ = kept + crossings;
   side_count_ = left;
-  close(kept, keep.n, of_other);
+  close(kept, static_cast<std::uint32_t>(crossings), keep.n, of_other);
+  return true;
 }
 
-// The ball about what is left tells which planes may cut; in p's geometry.
-template <class FaceOf>
-void OverlapBody::cut_by(const shapes::Polyhedron& p, const Vec3d& middle, double radius, Except except, bool of_other,
-                         FaceOf&& face_of) {
-  near_.make_room(p.nx.size() + 1);
-  const double reach = radius + 32 * epsilon * (max_abs(middle) + p.circumradius);
-  const std::size_t count = kernels::search_kernels().reaching(
-      {p.nx.data(), p.ny.data(), p.nz.data(), p.nx.size()}, p.nd.data(), p.faces.size(), middle, reach, near_.data());
-  for (std::size_t i = 0; i < count && !empty(); ++i)
-    if (const std::uint32_t face = near_[i]; face != except.face[0] && face != except.face[1])
-      cut(face_of(face), of_other);
-}
-
-OverlapBody::Ball OverlapBody::ball() const {
+const OverlapBody::Ball& OverlapBody::ball() {
+  if (ball_known_) return ball_;
   Vec3d sum{};
   for (const Vec3d& x : corners()) sum += x;
-  Ball ball{sum * (1 / static_cast<double>(corner_count_)), 0};
+  const Vec3d middle = sum * (1 / static_cast<double>(corner_count_));
   double square = 0;
-  for (const Vec3d& x : corners()) square = std::max(square, dot(x - ball.middle, x - ball.middle));
-  ball.radius = std::sqrt(square);
-  return ball;
+  for (const Vec3d& x : corners()) square = std::max(square, dot(x - middle, x - middle));
+  ball_ = {middle, std::sqrt(square)};
+  ball_known_ = true;
+  return ball_;
+}
+
+// The ball about what is left tells which planes may cut: from the body's frame into p's geometry by `into`, planes
+// back by `face_of`. Of many, the one that cuts most comes first and leaves less for the others.
+template <class Into, class FaceOf>
+void OverlapBody::cut_by(const shapes::Polyhedron& p, double down, Except except, bool of_other, Into&& into,
+                         FaceOf&& face_of) {
+  if (empty()) return;
+  Vec3d middle;
+  double reach = 0;
+  const auto look = [&] {
+    const Ball& b = ball();
+    middle = down * into(b.middle);
+    reach = down * b.radius + 32 * epsilon * (max_abs(middle) + p.circumradius);
+  };
+  const auto height = [&](std::uint32_t i) { return dot(p.faces[i].normal, middle) - p.faces[i].offset; };
+  look();
+  near_.make_room(p.nx.size() + 1);
+  std::uint32_t* const near = near_.data();
+  std::size_t count = kernels::search_kernels().reaching({p.nx.data(), p.ny.data(), p.nz.data(), p.nx.size()},
+                                                         p.nd.data(), p.faces.size(), middle, reach, near);
+  count = static_cast<std::size_t>(
+      std::remove_if(near, near + count, [&](std::uint32_t i) { return i == except.face[0] || i == except.face[1]; }) -
+      near);
+  if (count > 3) {
+    std::size_t first = 0;
+    double most = height(near[0]);
+    for (std::size_t i = 1; i < count; ++i)
+      if (const double h = height(near[i]); h > most) most = h, first = i;
+    std::swap(near[0], near[first]);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!(height(near[i]) + reach > 0) || !cut(face_of(near[i]), of_other)) continue;
+    if (empty()) return;
+    if (i + 2 < count) look();
+  }
 }
 
 void OverlapBody::cut_by_self(const PolyhedronPair& pair, Except except) {
-  if (empty()) return;
-  const Ball b = ball();
-  const double down = 1 / pair.self_scale;
-  cut_by(*pair.self, down * b.middle, down * b.radius, except, false, [&](std::uint32_t i) {
-    const auto& face = pair.self->faces[i];
-    return HalfSpace{face.normal, pair.self_scale * face.offset};
-  });
+  cut_by(
+      *pair.self, 1 / pair.self_scale, except, false, [](const Vec3d& x) { return x; },
+      [&](std::uint32_t i) {
+        const auto& face = pair.self->faces[i];
+        return HalfSpace{face.normal, pair.self_scale * face.offset};
+      });
 }
 
 void OverlapBody::cut_by_other(const PolyhedronPair& pair, Except except) {
-  if (empty()) return;
-  const Ball b = ball();
-  const double down = 1 / pair.other_scale;
-  cut_by(*pair.other, down * transposed_times(pair.other_to_self, b.middle - pair.offset), down * b.radius, except,
-         true, [&](std::uint32_t i) { return face_of_other(pair, i); });
+  cut_by(
+      *pair.other, 1 / pair.other_scale, except, true,
+      [&](const Vec3d& x) { return transposed_times(pair.other_to_self, x - pair.offset); },
+      [&](std::uint32_t i) { return face_of_other(pair, i); });
 }
 
 bool OverlapBody::begin(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other) {
@@ -237,20 +262,20 @@ bool OverlapBody::begin(const PolyhedronPair& pair, std::uint32_t edge_of_self, 
         near_edge(t[1])))
     return false;
   clear();
-  closing_count_ = 0;
   corners_.make_room(4);
   sides_.make_room(6);
   faces_.make_room(4);
-  for (std::size_t i = 0; i < 2; ++i) {
-    corners_[i] = p + s[i] * e;
-    corners_[2 + i] = q + t[i] * f;
-    faces_[i] = {of_a[i], none, false};
-    faces_[2 + i] = {of_b[i], none, true};
-  }
-  const std::uint32_t left = 2 + low, right = 2 + high;
-  const Side sides[6] = {{low, high, 0, 1}, {2, 3, left, right}, {high, 2, 0, right},
-                         {2, low, 0, left}, {low, 3, 1, left},   {3, high, 1, right}};
+  corners_[0] = p + s[low] * e;
+  corners_[1] = p + s[high] * e;
+  corners_[2] = q + t[0] * f;
+  corners_[3] = q + t[1] * f;
+  faces_[0] = {of_a[0], 0, false};
+  faces_[1] = {of_a[1], 0, false};
+  faces_[2] = {of_b[low], 0, true};
+  faces_[3] = {of_b[high], 0, true};
+  constexpr Side sides[6] = {{0, 1, 0, 1}, {2, 3, 2, 3}, {1, 2, 0, 3}, {2, 0, 0, 2}, {0, 3, 1, 2}, {3, 1, 1, 3}};
   std::copy_n(sides, 6, sides_.data());
+  form_ = Form::of_edges;
   corner_count_ = face_count_ = 4;
   side_count_ = 6;
   return true;

@@ -34,14 +34,18 @@ class OverlapBody {
   struct Except {
     std::uint32_t face[2] = {none, none};
   };
+  // Two tetrahedra are named alike whatever the pair: of two edges, self's from corner 0 to 1 and other's from 2 to 3,
+  // self's faces 0 and 1, other's 2 at corner 0 and 3 at corner 1; of a corner of three sides cut off, that is corner
+  // 0, its face 1 lies between the sides to corners 1 and 2, 2 between those to 2 and 3, and 3 is the cut's.
+  enum class Form { general, of_edges, of_three_sides };
   struct Side {
     std::uint32_t from, to;     // corners
     std::uint32_t left, right;  // faces, seen from outside along the side
   };
   struct Face {
-    Vec3d normal;           // unit, out of the overlap
-    std::uint32_t waiting;  // scratch of a cut: none, or 2 crossing + enters
-    bool of_other;          // made by a cut
+    Vec3d normal;          // unit, out of the overlap
+    std::uint32_t enters;  // scratch of a cut: the crossing where the face enters what is kept
+    bool of_other;         // made by a cut
   };
 
   // What lies of p, scaled, in the half space; `start`: the vertex farthest inside.
@@ -50,11 +54,13 @@ class OverlapBody {
   // What lies behind the two faces at an edge of each body, a tetrahedron. False: the edges do not pass through each
   // other, or pass nearly parallel.
   bool begin(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other);
-  void cut(const HalfSpace& keep, bool of_other = true);
+  // False: nothing lies outside the half space.
+  bool cut(const HalfSpace& keep, bool of_other = true);
   // Keeps what lies behind all faces of one of the pair but those in `except`.
   void cut_by_self(const PolyhedronPair& pair, Except except);
   void cut_by_other(const PolyhedronPair& pair, Except except);
 
+  Form form() const { return form_; }
   bool empty() const { return side_count_ == 0; }
   std::span<const Vec3d> corners() const { return {corners_.data(), corner_count_}; }
   std::span<const Side> sides() const { return {sides_.data(), side_count_}; }
@@ -68,25 +74,32 @@ class OverlapBody {
     Vec3d middle;
     double radius;
   };
-  Ball ball() const;
-  void clear() { corner_count_ = side_count_ = face_count_ = 0; }
+  const Ball& ball();  // about what is left
+  void clear() {
+    corner_count_ = side_count_ = face_count_ = 0;
+    ball_known_ = false;
+  }
   void begin_walk(const shapes::Polyhedron& p);
   std::uint32_t name_of_face(const shapes::Polyhedron& p, std::uint32_t face);
-  void meet(std::uint32_t face, std::uint32_t crossing, std::uint32_t enters);
-  void close(std::uint32_t kept, const Vec3d& normal, bool of_other);
-  template <class FaceOf>
-  void cut_by(const shapes::Polyhedron& p, const Vec3d& middle, double radius, Except except, bool of_other,
-              FaceOf&& face_of);
+  void close(std::uint32_t kept, std::uint32_t crossings, const Vec3d& normal, bool of_other);
+  template <class Into, class FaceOf>
+  void cut_by(const shapes::Polyhedron& p, double down, Except except, bool of_other, Into&& into, FaceOf&& face_of);
 
   ScratchList<Vec3d> corners_;
-  ScratchList<Side> sides_, closing_;  // closing_: of the face that a cut makes
+  ScratchList<Side> sides_, crossed_;
   ScratchList<Face> faces_;
   ScratchList<double> height_;
   ScratchList<std::uint32_t> kept_as_, queue_, near_;
-  ScratchList<std::uint32_t> next_;  // of a crossing in each of its two faces: the one that waits after it
-  std::size_t corner_count_ = 0, side_count_ = 0, face_count_ = 0, closing_count_ = 0;
+  struct Crossing {
+    std::uint32_t leaves, enters;  // faces
+  };
+  ScratchList<Crossing> crossings_;
+  std::size_t corner_count_ = 0, side_count_ = 0, face_count_ = 0;
   std::vector<Mark> vertices_, faces_of_walk_;  // what they are here, where the stamp is the last walk's
   std::uint32_t stamp_ = 0;
+  Form form_ = Form::general;
+  Ball ball_{};
+  bool ball_known_ = false;
 };
 
 // What lies in both, in the frame of the pair's self; empty: nothing. Valid until the thread's next call.

@@ -1,6 +1,8 @@
 #include "libcontact/methods/overlap_moments.h"
 
 #include <cmath>
+#include <iterator>
+#include <span>
 
 #include "libcontact/methods/depth_spread.h"
 
@@ -20,81 +22,97 @@ struct Axes {
 struct Triangle {
   std::uint32_t a, b, c;
 };
-// What a body is summed over: a fan of triangles in each face, spread from the first of its corners.
-struct Work {
-  ScratchList<Vec3d> places;                // of corners along the axes, from corner 0
-  ScratchList<double> residuals, volumes;   // of corners
-  ScratchList<std::uint32_t> fans;          // of faces: the corner
-  ScratchList<Triangle> cones, of_other;    // those not at corner 0; those of other's faces
-  ScratchList<Side> rim;                    // turned: self's face to the left
-  std::size_t cone_count = 0, of_other_count = 0, rim_count = 0;
+
+// What a body is summed over: a fan of triangles in each face, spread from the first of its corners. `cones`: those of
+// faces without corner 0, `of_other`: those of other's faces, `rim`: sides with self's face to the left, other's to the
+// right. And scratch for its corners.
+//
+// Of the two tetrahedra that most contacts are this is known.
+struct OfEdges {
+  static constexpr std::size_t corners = 4;
+  static constexpr Triangle cones[] = {{1, 3, 2}}, of_other[] = {{0, 2, 3}, {1, 3, 2}};
+  static constexpr Side rim[] = {{1, 2, 0, 3}, {2, 0, 0, 2}, {0, 3, 1, 2}, {3, 1, 1, 3}};
+  Vec3d places[corners];
+  double residuals[corners], volumes[corners];
+};
+struct OfThreeSides {
+  static constexpr std::size_t corners = 4;
+  static constexpr Triangle cones[] = {{1, 3, 2}}, of_other[] = {{1, 3, 2}};
+  static constexpr Side rim[] = {{1, 2, 1, 3}, {2, 3, 2, 3}, {3, 1, 0, 3}};
+  Vec3d places[corners];
+  double residuals[corners], volumes[corners];
+};
+
+struct General {
+  std::size_t corners = 0;
+  std::span<const Triangle> cones, of_other;
+  std::span<const Side> rim;
+  ScratchList<Vec3d> places;
+  ScratchList<double> residuals, volumes;
 
   void gather(const OverlapBody& body) {
     const auto faces = body.faces();
     const auto sides = body.sides();
-    const std::size_t corners = body.corners().size();
+    corners = body.corners().size();
     places.make_room(corners);
     residuals.make_room(corners);
     volumes.make_room(corners);
-    fans.make_room(faces.size());
-    cones.make_room(2 * sides.size() + 1);
-    of_other.make_room(2 * sides.size() + 1);
-    rim.make_room(sides.size() + 1);
-    std::fill_n(fans.data(), faces.size(), OverlapBody::none);
+    fans_.make_room(faces.size());
+    cones_.make_room(2 * sides.size() + 1);
+    of_other_.make_room(2 * sides.size() + 1);
+    rim_.make_room(sides.size() + 1);
+    std::uint32_t* const fans = fans_.data();
+    for (std::size_t i = 0; i < faces.size(); ++i) fans[i] = OverlapBody::none;
     for (const Side& s : sides) {
       const std::uint32_t first = std::min(s.from, s.to);
       fans[s.left] = std::min(fans[s.left], first);
       fans[s.right] = std::min(fans[s.right], first);
     }
     // No branch on what cannot be guessed.
-    std::size_t cone = 0, other = 0, between = 0;
+    Triangle *cone = cones_.data(), *other = of_other_.data();
+    Side* between = rim_.data();
     for (const Side& s : sides) {
-      const bool left = faces[s.left].of_other, right = faces[s.right].of_other;
+      const std::size_t left = faces[s.left].of_other, right = faces[s.right].of_other;
       const std::uint32_t f = fans[s.left], g = fans[s.right];
-      const bool in_left = f != s.from && f != s.to, in_right = g != s.from && g != s.to;
-      cones[cone] = {f, s.from, s.to};
-      cone += in_left && f != 0 ? 1 : 0;
-      of_other[other] = {f, s.from, s.to};
-      other += in_left && left ? 1 : 0;
-      cones[cone] = {g, s.to, s.from};
-      cone += in_right && g != 0 ? 1 : 0;
-      of_other[other] = {g, s.to, s.from};
-      other += in_right && right ? 1 : 0;
-      rim[between] = left ? Side{s.to, s.from, s.right, s.left} : s;
-      between += left != right ? 1 : 0;
+      const std::size_t in_left = static_cast<std::size_t>(f != s.from) & static_cast<std::size_t>(f != s.to),
+                        in_right = static_cast<std::size_t>(g != s.from) & static_cast<std::size_t>(g != s.to);
+      *cone = {f, s.from, s.to};
+      cone += in_left & static_cast<std::size_t>(f != 0);
+      *other = {f, s.from, s.to};
+      other += in_left & left;
+      *cone = {g, s.to, s.from};
+      cone += in_right & static_cast<std::size_t>(g != 0);
+      *other = {g, s.to, s.from};
+      other += in_right & right;
+      *between = left != 0 ? Side{s.to, s.from, s.right, s.left} : s;
+      between += left ^ right;
     }
-    cone_count = cone, of_other_count = other, rim_count = between;
+    cones = {cones_.data(), cone};
+    of_other = {of_other_.data(), other};
+    rim = {rim_.data(), between};
   }
+
+ private:
+  ScratchList<std::uint32_t> fans_;  // of faces: the corner
+  ScratchList<Triangle> cones_, of_other_;
+  ScratchList<Side> rim_;
 };
 
-}  // namespace
-
-OverlapDepth line_of_action(const DepthSlope& s) {
-  OverlapDepth out{.depth = s.depth, .gain = norm(s.force)};
-  out.normal = s.force * (1 / out.gain);
-  out.point = s.centroid + cross(out.normal, s.moment) * (1 / out.gain);
-  out.screw = dot(out.normal, s.moment) / out.gain;
-  return out;
-}
-
-bool depth_slope(const OverlapBody& body, double size, DepthSlope& out) {
-  if (body.empty()) return false;
-  static thread_local Work work;
-  work.gather(body);
-  const auto corners = body.corners();
-  const auto faces = body.faces();
-  const std::span<const Side> rim(work.rim.data(), work.rim_count);
+template <class Sums>
+bool slope_of(const OverlapBody& body, Sums& sums, double size, DepthSlope& out) {
+  const Vec3d* const corners = body.corners().data();
+  const OverlapBody::Face* const faces = body.faces().data();
   const Vec3d apex = corners[0];
   Vec3d surface{};  // vector area of what lies of self's surface in other
-  for (const Side& s : rim) surface += cross(corners[s.from] - apex, corners[s.to] - apex);
+  for (const Side& s : sums.rim) surface += cross(corners[s.from] - apex, corners[s.to] - apex);
   surface *= 0.5;
   const double section = norm(surface);
   if (!(section > least_depth * least_depth * size * size)) return false;
   const Axes axes(surface * (1 / section));
 
-  const std::size_t count = corners.size();
-  Vec3d* const places = work.places.data();
-  double *const residuals = work.residuals.data(), *const volumes = work.volumes.data();
+  const std::size_t count = sums.corners;
+  Vec3d* const places = std::data(sums.places);  // along the axes, from corner 0
+  double *const residuals = std::data(sums.residuals), *const volumes = std::data(sums.volumes);
   for (std::size_t i = 0; i < count; ++i) {
     places[i] = axes(corners[i] - apex);
     volumes[i] = 0;
@@ -111,7 +129,7 @@ bool depth_slope(const OverlapBody& body, double size, DepthSlope& out) {
     xz += v * (a.x * a.z);
     yz += v * (a.y * a.z);
   };
-  for (const auto& [f, p, q] : std::span<const Triangle>(work.cones.data(), work.cone_count)) {
+  for (const auto& [f, p, q] : sums.cones) {
     const double v = dot(places[f], cross(places[p], places[q]));
     const Vec3d sum = places[f] + places[p] + places[q];
     volume += v;
@@ -138,8 +156,8 @@ bool depth_slope(const OverlapBody& body, double size, DepthSlope& out) {
     residuals[i] = places[i].z - tilt.u * places[i].x - tilt.v * places[i].y;
   }
 
-  Vec3d force{}, moment{};  // along the axes
-  for (const auto& [f, p, q] : std::span<const Triangle>(work.of_other.data(), work.of_other_count)) {  // (4)
+  Vec3d force{}, moment{};                       // along the axes
+  for (const auto& [f, p, q] : sums.of_other) {  // (4)
     const CornerWeights at(0.5, residuals[f], residuals[p], residuals[q], variance);
     const Vec3d twice = cross(places[p] - places[f], places[q] - places[f]);
     force += at.sum() * twice;
@@ -155,16 +173,41 @@ bool depth_slope(const OverlapBody& body, double size, DepthSlope& out) {
   out.t = axes.t, out.u = axes.s;
   // The rim, along the body's axes.
   const Vec3d slope = (out.depth / section) * (tilt.u * axes.t + tilt.v * axes.s);
-  for (const Side& s : rim) {
+  for (const Side& s : sums.rim) {
     const Vec3d &normal = faces[s.left].normal, &across = faces[s.right].normal;
     const Vec3d &from = corners[s.from], &to = corners[s.to], along = to - from, sine = cross(normal, across);
     const double square = dot(sine, sine);
     if (!(square > 0)) continue;
-    const double weight = dot(slope, normal) * std::sqrt(dot(along, along) / square);
+    const double weight = dot(slope, normal) * (dot(along, sine) / square);  // n_a × n_b runs along the side
     out.force -= weight * across;
     out.moment -= weight * cross(0.5 * (from + to) - out.centroid, across);
   }
   return true;
+}
+
+}  // namespace
+
+OverlapDepth line_of_action(const DepthSlope& s) {
+  OverlapDepth out{.depth = s.depth, .gain = norm(s.force)};
+  out.normal = s.force * (1 / out.gain);
+  out.point = s.centroid + cross(out.normal, s.moment) * (1 / out.gain);
+  out.screw = dot(out.normal, s.moment) / out.gain;
+  return out;
+}
+
+bool depth_slope(const OverlapBody& body, double size, DepthSlope& out) {
+  if (body.empty()) return false;
+  if (body.form() == OverlapBody::Form::of_edges) {
+    OfEdges sums;
+    return slope_of(body, sums, size, out);
+  }
+  if (body.form() == OverlapBody::Form::of_three_sides) {
+    OfThreeSides sums;
+    return slope_of(body, sums, size, out);
+  }
+  static thread_local General sums;
+  sums.gather(body);
+  return slope_of(body, sums, size, out);
 }
 
 }  // namespace contact
