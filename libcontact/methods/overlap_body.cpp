@@ -117,7 +117,8 @@ void OverlapBody::begin(const shapes::Polyhedron& p, double scale, const HalfSpa
   corner_count_ = found + crossings;
   side_count_ = side_count;
   if (crossings > 0) close(found, crossings, keep.n, true);
-  form_ = found == 1 && crossings == 3 ? Form::of_three_sides : Form::general;
+  form_ = found == 1 ? Form::corner : Form::general;
+  depth_ = -height(p.vertices[start]);
 }
 
 bool OverlapBody::cut(const HalfSpace& keep, bool of_other) {
@@ -275,7 +276,7 @@ bool OverlapBody::begin(const PolyhedronPair& pair, std::uint32_t edge_of_self, 
   faces_[3] = {of_b[high], 0, true};
   constexpr Side sides[6] = {{0, 1, 0, 1}, {2, 3, 2, 3}, {1, 2, 0, 3}, {2, 0, 0, 2}, {0, 3, 1, 2}, {3, 1, 1, 3}};
   std::copy_n(sides, 6, sides_.data());
-  form_ = Form::of_edges;
+  form_ = Form::edges;
   corner_count_ = face_count_ = 4;
   side_count_ = 6;
   return true;

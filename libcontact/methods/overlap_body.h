@@ -34,10 +34,10 @@ class OverlapBody {
   struct Except {
     std::uint32_t face[2] = {none, none};
   };
-  // Two tetrahedra are named alike whatever the pair: of two edges, self's from corner 0 to 1 and other's from 2 to 3,
-  // self's faces 0 and 1, other's 2 at corner 0 and 3 at corner 1; of a corner of three sides cut off, that is corner
-  // 0, its face 1 lies between the sides to corners 1 and 2, 2 between those to 2 and 3, and 3 is the cut's.
-  enum class Form { general, of_edges, of_three_sides };
+  // Overlaps of a known form (overlap_forms.h): one corner of self cut off by one plane, that is corner 0, the others
+  // about n in order, and the plane's face the last one; two edges, self's from corner 0 to 1 and other's from 2 to 3,
+  // self's faces 0 and 1, other's 2 at corner 0 and 3 at corner 1.
+  enum class Form { general, corner, edges };
   struct Side {
     std::uint32_t from, to;     // corners
     std::uint32_t left, right;  // faces, seen from outside along the side
@@ -61,6 +61,7 @@ class OverlapBody {
   void cut_by_other(const PolyhedronPair& pair, Except except);
 
   Form form() const { return form_; }
+  double depth() const { return depth_; }  // of a corner's form: how far it lies beyond the plane
   bool empty() const { return side_count_ == 0; }
   std::span<const Vec3d> corners() const { return {corners_.data(), corner_count_}; }
   std::span<const Side> sides() const { return {sides_.data(), side_count_}; }
@@ -98,6 +99,7 @@ class OverlapBody {
   std::vector<Mark> vertices_, faces_of_walk_;  // what they are here, where the stamp is the last walk's
   std::uint32_t stamp_ = 0;
   Form form_ = Form::general;
+  double depth_ = 0;
   Ball ball_{};
   bool ball_known_ = false;
 };

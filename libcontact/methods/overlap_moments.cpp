@@ -1,10 +1,10 @@
 #include "libcontact/methods/overlap_moments.h"
 
 #include <cmath>
-#include <iterator>
 #include <span>
 
 #include "libcontact/methods/depth_spread.h"
+#include "libcontact/methods/overlap_forms.h"
 
 namespace contact {
 
@@ -26,24 +26,7 @@ struct Triangle {
 // What a body is summed over: a fan of triangles in each face, spread from the first of its corners. `cones`: those of
 // faces without corner 0, `of_other`: those of other's faces, `rim`: sides with self's face to the left, other's to the
 // right. And scratch for its corners.
-//
-// Of the two tetrahedra that most contacts are this is known.
-struct OfEdges {
-  static constexpr std::size_t corners = 4;
-  static constexpr Triangle cones[] = {{1, 3, 2}}, of_other[] = {{0, 2, 3}, {1, 3, 2}};
-  static constexpr Side rim[] = {{1, 2, 0, 3}, {2, 0, 0, 2}, {0, 3, 1, 2}, {3, 1, 1, 3}};
-  Vec3d places[corners];
-  double residuals[corners], volumes[corners];
-};
-struct OfThreeSides {
-  static constexpr std::size_t corners = 4;
-  static constexpr Triangle cones[] = {{1, 3, 2}}, of_other[] = {{1, 3, 2}};
-  static constexpr Side rim[] = {{1, 2, 1, 3}, {2, 3, 2, 3}, {3, 1, 0, 3}};
-  Vec3d places[corners];
-  double residuals[corners], volumes[corners];
-};
-
-struct General {
+struct Sums {
   std::size_t corners = 0;
   std::span<const Triangle> cones, of_other;
   std::span<const Side> rim;
@@ -98,8 +81,9 @@ struct General {
   ScratchList<Side> rim_;
 };
 
-template <class Sums>
-bool slope_of(const OverlapBody& body, Sums& sums, double size, DepthSlope& out) {
+bool general_slope(const OverlapBody& body, double size, DepthSlope& out) {
+  static thread_local Sums sums;
+  sums.gather(body);
   const Vec3d* const corners = body.corners().data();
   const OverlapBody::Face* const faces = body.faces().data();
   const Vec3d apex = corners[0];
@@ -111,8 +95,8 @@ bool slope_of(const OverlapBody& body, Sums& sums, double size, DepthSlope& out)
   const Axes axes(surface * (1 / section));
 
   const std::size_t count = sums.corners;
-  Vec3d* const places = std::data(sums.places);  // along the axes, from corner 0
-  double *const residuals = std::data(sums.residuals), *const volumes = std::data(sums.volumes);
+  Vec3d* const places = sums.places.data();  // along the axes, from corner 0
+  double *const residuals = sums.residuals.data(), *const volumes = sums.volumes.data();
   for (std::size_t i = 0; i < count; ++i) {
     places[i] = axes(corners[i] - apex);
     volumes[i] = 0;
@@ -197,17 +181,9 @@ OverlapDepth line_of_action(const DepthSlope& s) {
 
 bool depth_slope(const OverlapBody& body, double size, DepthSlope& out) {
   if (body.empty()) return false;
-  if (body.form() == OverlapBody::Form::of_edges) {
-    OfEdges sums;
-    return slope_of(body, sums, size, out);
-  }
-  if (body.form() == OverlapBody::Form::of_three_sides) {
-    OfThreeSides sums;
-    return slope_of(body, sums, size, out);
-  }
-  static thread_local General sums;
-  sums.gather(body);
-  return slope_of(body, sums, size, out);
+  if (body.form() == OverlapBody::Form::corner) return corner_slope(body, size, out);
+  if (body.form() == OverlapBody::Form::edges) return edges_slope(body, size, out);
+  return general_slope(body, size, out);
 }
 
 }  // namespace contact
