@@ -164,6 +164,12 @@ bool find_nearest(const DifferencePair& pair, DifferenceFacet& facet, FacetAxis&
   return exit.kind == Exit::nearest;
 }
 
+Vec3d world_normal(const DifferencePair& pair, const DifferenceFacet& facet, const FacetAxis& axis,
+                   const Frame& frame) {
+  return facet.kind == DifferenceFacet::face_of_b ? -(frame.rotation_b * pair.other->faces[facet.b].normal)
+                                                  : frame.rotation_a * axis.normal;
+}
+
 // With the depth of the overlap, whose patch then serves for the contact: a face's witness points are its vertex and
 // the foot of that within it. False: there is none, or the foot is not there.
 bool measured(const DifferencePair& pair, const DifferenceFacet& facet, const FacetAxis& axis, const Frame& frame,
@@ -176,7 +182,7 @@ bool measured(const DifferencePair& pair, const DifferenceFacet& facet, const Fa
   if (!facet_depth(pair, facet, axis.normal, -axis.value, {frame.rotation_a, frame.rotation_b, frame.offset, smaller},
                    depth, patch))
     return false;
-  const Vec3d normal = frame.rotation_a * axis.normal;
+  const Vec3d normal = world_normal(pair, facet, axis, frame);
   Vec3d on_a, on_b;
   if (facet.kind == DifferenceFacet::face_of_a) {
     on_b = frame.rotation_a * pair.other_vertex(facet.b);
@@ -196,12 +202,12 @@ Contact overlap(const DifferencePair& pair, const DifferenceFacet& facet, const 
                 bool measure) {
   Contact out;
   if (measure && measured(pair, facet, axis, frame, out)) return out;
-  Vec3d normal = frame.rotation_a * axis.normal, on_a, on_b;
+  const Vec3d normal = world_normal(pair, facet, axis, frame);
+  Vec3d on_a, on_b;
   Patch patch;
   if (facet.kind == DifferenceFacet::face_of_a) {
     face_patch(pair, frame.rotation_a, {}, {facet.a, facet.b, axis.value, axis.reach}, on_a, on_b, patch);
   } else if (facet.kind == DifferenceFacet::face_of_b) {
-    normal = -(frame.rotation_b * pair.other->faces[facet.b].normal);
     face_patch(pair.swapped(), frame.rotation_b, frame.offset, {facet.b, facet.a, axis.value, axis.reach}, on_b, on_a,
                patch);
   } else {
