@@ -1,7 +1,9 @@
 #include "libcontact/overlap_depth.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "libcontact/methods/facet_depth.h"
 #include "libcontact/methods/method.h"
 #include "libcontact/methods/overlap_moments.h"
 #include "libcontact/methods/patch.h"
@@ -18,15 +20,40 @@ using shapes::Kind;
 
 double smaller(const Body& a, const Body& b) { return std::min(circumradius(a), circumradius(b)); }
 
+// The face at a vertex that looks most along a direction, and the edge that falls least along it.
+struct Facing {
+  double along = -2, rise = -HUGE_VAL;
+  std::uint32_t face = 0, edge = 0;
+};
+Facing most_facing(const shapes::Polyhedron& p, std::uint32_t vertex, const Vec3d& direction) {
+  Facing best;
+  for (std::uint32_t k = p.first_spoke[vertex]; k < p.first_spoke[vertex + 1]; ++k) {
+    const auto& spoke = p.spokes[k];
+    if (const double along = dot(p.faces[spoke.face].normal, direction); along > best.along)
+      best.along = along, best.face = spoke.face;
+    if (const double rise = dot(spoke.to, direction); rise > best.rise) best.rise = rise, best.edge = spoke.edge;
+  }
+  return best;
+}
+
 bool polyhedra(const Body& a, const Body& b, const Vec3d& offset, const Vec3d& towards, OverlapDepth& out) {
   double up = 1;
-  const PlacedPolyhedra placed =
+  const auto [pair, pair_size] =
       placed_polyhedra(contact::placed<shapes::Polyhedron>(a), contact::placed<shapes::Polyhedron>(b), offset, up);
-  if (!(placed.size > 0)) return false;
-  DepthSlope slope;
-  const Vec3d n = transposed_times(a.rotation, towards);
-  if (!depth_slope(overlap_body(placed.pair, n), smaller(a, b) / up, slope)) return false;
-  out = rotated(line_of_action(slope), a.rotation);
+  if (!(pair_size > 0)) return false;
+  const Vec3d n = transposed_times(a.rotation, towards), m = transposed_times(pair.other_to_self, n);
+  Extreme ends[2];
+  kernels::search_kernels().lowest_two(points_of(*pair.self), -n, points_of(*pair.other), m, ends);
+  const double depth = -(pair.self_scale * ends[0].value + (pair.other_scale * ends[1].value + dot(n, pair.offset)));
+  if (!(depth > 0)) return false;
+  const Facing of_a = most_facing(*pair.self, ends[0].index, n), of_b = most_facing(*pair.other, ends[1].index, -m);
+  DifferenceFacet facet{DifferenceFacet::edges, of_a.edge, of_b.edge};
+  if (std::max(of_a.along, of_b.along) >= 1 - 0x1p-40)
+    facet = of_a.along > of_b.along ? DifferenceFacet{DifferenceFacet::face_of_a, of_a.face, ends[1].index}
+                                    : DifferenceFacet{DifferenceFacet::face_of_b, ends[0].index, of_b.face};
+  Patch patch;
+  if (!facet_depth(pair, facet, n, depth, {a.rotation, b.rotation, offset * (1 / up), smaller(a, b) / up}, out, patch))
+    return false;
   rescale(out, up);
   return true;
 }
@@ -38,7 +65,7 @@ bool polyhedron_plane(const Body& a, const Vec3d& wall, double above, OverlapDep
   const Scale unit = scale_of(size);
   const Vec3d n = transposed_times(a.rotation, wall);
   const auto& shape = *static_cast<const shapes::Polyhedron*>(a.geometry);
-  const OverlapBody& body = overlap_body(shape, a.size.x * unit.down, n, -height * unit.down);
+  const OverlapBody& body = overlap_body(shape, a.size.x * unit.down, {n, -height * unit.down});
   DepthSlope slope;
   if (!depth_slope(body, size * unit.down, slope)) return false;
   out = rotated(line_of_action(slope), a.rotation);

@@ -67,11 +67,13 @@ void CompoundPass::place(const Group& group, Working& w) const {
 }
 
 void CompoundPass::query(Working& w, Scratch& s, Tally& t) const {
+  contact::Options wanted = wanted_;
+  wanted.measure = false;  // parts are weighed by the patches under their faces
   for (std::size_t q = 0; q < c_.part_queries.size(); ++q) {
     std::size_t n = 0;
     std::size_t of[chunk_size];
     const auto flush = [&] {
-      c_.part_queries[q].query(n, s.a, s.b, s.offset, wanted_, s.cache, s.answer);
+      c_.part_queries[q].query(n, s.a, s.b, s.offset, wanted, s.cache, s.answer);
       for (std::size_t r = 0; r < n; ++r) {
         Meet& m = w.meets[of[r]];
         const contact::Contact& found = s.answer[r];

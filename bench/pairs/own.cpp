@@ -153,6 +153,12 @@ void add_own(const Set& set, std::vector<Entry>& entries) {
     std::copy(work->cache.begin(), work->cache.end(), work->scratch.begin());
     chunks(*work, {.overlap_only = true}, true, work->scratch.data());
   });
+  if (set.a == Kind::polyhedron && set.b == Kind::polyhedron) {
+    add("own cached depth", [work] {  // with the measure that libdem's laws act on
+      std::copy(work->cache.begin(), work->cache.end(), work->scratch.begin());
+      chunks(*work, {.overlap_only = true, .measure = true}, true, work->scratch.data());
+    });
+  }
   if (set.a == Kind::sphere && set.b == Kind::sphere) {
     add_sphere_rows(set, entries);
     add_loop_kernels(set, entries);

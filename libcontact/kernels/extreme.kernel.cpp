@@ -62,5 +62,24 @@ void lowest_two(const Points& a, const shapes::Vec3d& direction_a, const Points&
   out[1] = second.finish(b.count);
 }
 
+std::size_t reaching(const Points& normals, const double* offsets, std::size_t planes, const shapes::Vec3d& centre,
+                     double radius, std::uint32_t* out) {
+  constexpr std::size_t width = Pack::size();
+  const Pack x = centre.x, y = centre.y, z = centre.z;
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < normals.count; i += width) {
+    const Pack over = x * Pack(normals.x + i, element_aligned) + y * Pack(normals.y + i, element_aligned) +
+                      z * Pack(normals.z + i, element_aligned) - Pack(offsets + i, element_aligned) + radius;
+    if (none_of(over > 0)) continue;
+    double by[width];
+    over.copy_to(by, element_aligned);
+    for (std::size_t lane = 0; lane < width; ++lane) {
+      out[found] = static_cast<std::uint32_t>(i + lane);
+      found += static_cast<std::size_t>(by[lane] > 0) & static_cast<std::size_t>(i + lane < planes);
+    }
+  }
+  return found;
+}
+
 }  // namespace KERNEL_SET
 }  // namespace contact::kernels

@@ -64,7 +64,7 @@ const KernelSet& kernel_set() {
                              store_slots,
                              sum_slots,
                              {sphere_pairs, ellipsoid_proofs, ellipsoid_search},
-                             {lowest, lowest_two}};
+                             {lowest, lowest_two, reaching}};
   return set;
 }
 

@@ -11,8 +11,9 @@ struct Tilt {
 inline bool find_tilt(double uu, double vv, double zz, double uv, double uz, double vz, Tilt& out) {
   const double determinant = uu * vv - uv * uv;
   if (!(determinant > 0x1p-100 * (uu * vv))) return false;
-  out.u = (vv * uz - uv * vz) / determinant;
-  out.v = (uu * vz - uv * uz) / determinant;
+  const double inverse = 1 / determinant;
+  out.u = (vv * uz - uv * vz) * inverse;
+  out.v = (uu * vz - uv * uz) * inverse;
   out.variance = zz - out.u * uz - out.v * vz;  // (2)
   return out.variance > 0;
 }
@@ -22,9 +23,8 @@ struct CornerWeights {
   double a, b, c;
   CornerWeights(double area, double ra, double rb, double rc, double variance) {
     const double squares = ra * ra + rb * rb + rc * rc, total = ra + rb + rc;
-    const auto of = [&](double own, double others) {
-      return area * ((squares + 2 * own * total + others) / 30 - variance / 3);
-    };
+    const double thirtieth = area * (1.0 / 30), level = area * (1.0 / 3) * variance;
+    const auto of = [&](double own, double others) { return thirtieth * (squares + 2 * own * total + others) - level; };
     a = of(ra, rb * rc);
     b = of(rb, ra * rc);
     c = of(rc, ra * rb);

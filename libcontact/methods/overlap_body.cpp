@@ -1,197 +1,323 @@
 #include "libcontact/methods/overlap_body.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace contact {
 
 namespace {
 
-constexpr std::uint32_t none = 0xffffffffu;
-
-struct Scratch {
-  OverlapBody body;
-  std::vector<double> height;
-};
-Scratch& scratch() {
-  static thread_local Scratch of_thread;
+OverlapBody& scratch() {
+  static thread_local OverlapBody of_thread;
   return of_thread;
 }
-const OverlapBody& nothing() {
-  static const OverlapBody body;
-  return body;
+
+Vec3d crossing(const Vec3d& in, const Vec3d& out, double height_in, double height_out) {
+  return in + (height_in / (height_in - height_out)) * (out - in);
+}
+
+HalfSpace face_of_other(const PolyhedronPair& pair, std::uint32_t i) {
+  const auto& face = pair.other->faces[i];
+  const Vec3d n = pair.other_to_self * face.normal;
+  return {n, pair.other_scale * face.offset + dot(n, pair.offset)};
 }
 
 }  // namespace
 
-// Heights over the cut are in height_.
-struct OverlapBody::Solid {
-  const Vec3d* corners;
-  double scale;
-  const std::uint32_t* loops;
-  const shapes::Polyhedron* geometry;  // null: faces
-  const std::vector<Face>* faces;
-  std::size_t face_count() const { return geometry ? geometry->faces.size() : faces->size(); }
-  Face face(std::size_t i) const {
-    if (!geometry) return (*faces)[i];
-    const auto& f = geometry->faces[i];
-    return {f.normal, f.first, f.count, false};
+void OverlapBody::begin_walk(const shapes::Polyhedron& p) {
+  clear();
+  if (vertices_.size() < p.vertices.size()) vertices_.resize(p.vertices.size());
+  if (faces_of_walk_.size() < p.faces.size()) faces_of_walk_.resize(p.faces.size());
+  if (++stamp_ == 0) {  // all stamps have been used
+    for (Mark& m : vertices_) m.stamp = 0;
+    for (Mark& m : faces_of_walk_) m.stamp = 0;
+    stamp_ = 1;
   }
-};
-
-void OverlapBody::begin(const shapes::Polyhedron& p, double scale) {
-  corners_.clear();
-  for (const Vec3d& x : p.vertices) corners_.push_back(scale * x);
-  faces_.clear();
-  loops_.assign(p.face_vertices.begin(), p.face_vertices.end());
-  for (const auto& f : p.faces) faces_.push_back({f.normal, f.first, f.count, false});
+  const std::size_t edges = p.edges.size();
+  queue_.make_room(p.vertices.size());
+  corners_.make_room(p.vertices.size() + edges);
+  sides_.make_room(2 * edges);
+  crossings_.make_room(edges);
+  faces_.make_room(p.faces.size() + 1);
 }
 
-bool OverlapBody::begin(const shapes::Polyhedron& p, double scale, const Vec3d& n, double level) {
-  height_.resize(p.vertices.size());
-  bool outside = false;
-  for (std::size_t i = 0; i < p.vertices.size(); ++i) {
-    height_[i] = dot(n, scale * p.vertices[i]) - level;
-    outside |= height_[i] > 0;
+std::uint32_t OverlapBody::name_of_face(const shapes::Polyhedron& p, std::uint32_t face) {
+  Mark& mark = faces_of_walk_[face];
+  if (mark.stamp != stamp_) {
+    mark = {stamp_, static_cast<std::uint32_t>(face_count_)};
+    faces_[face_count_++] = {p.faces[face].normal, 0, false};
   }
-  if (outside) return clip({p.vertices.data(), scale, p.face_vertices.data(), &p, nullptr}, n);
-  begin(p, scale);
+  return mark.name;
+}
+
+// Adds the face that a cut makes; the corners of its crossings come after `kept` others. In every face a side of it
+// runs from where the face leaves what is kept to where it enters it again.
+void OverlapBody::close(std::uint32_t kept, std::uint32_t crossings, const Vec3d& normal, bool of_other) {
+  const auto face = static_cast<std::uint32_t>(face_count_);
+  faces_[face_count_++] = {normal, 0, of_other};
+  Side* const sides = sides_.data() + side_count_;
+  bool once = true;
+  for (std::uint32_t c = 0; c < crossings; ++c) {
+    const Crossing& here = crossings_[c];
+    sides[c] = {kept + c, kept + faces_[here.leaves].enters, here.leaves, face};
+    once &= faces_[here.enters].enters == c;
+  }
+  side_count_ += crossings;
+  if (once) return;
+  // Rounding crosses a face in the plane more than twice: then any two may be joined.
+  for (std::uint32_t c = 0; c < crossings; ++c)
+    for (std::uint32_t e = 0; e < crossings; ++e)
+      if (crossings_[e].enters == crossings_[c].leaves) {
+        sides[c].to = kept + e;
+        crossings_[e].enters = none;
+        break;
+      }
+}
+
+void OverlapBody::begin(const shapes::Polyhedron& p, double scale, const HalfSpace& keep, std::uint32_t start) {
+  begin_walk(p);
+  const auto height = [&](const Vec3d& x) { return dot(keep.n, scale * x) - keep.level; };
+  if (!(height(p.vertices[start]) <= 0)) return;
+  std::uint32_t found = 1, crossings = 0;
+  queue_[0] = start;
+  vertices_[start] = {stamp_, 0};
+  Vec3d* const cut_corners = corners_.data() + p.vertices.size();  // for now
+  Side* const sides = sides_.data();
+  std::size_t side_count = 0;
+  for (std::uint32_t i = 0; i < found; ++i) {
+    const std::uint32_t v = queue_[i], first = p.first_spoke[v], end = p.first_spoke[v + 1];
+    const Vec3d x = scale * p.vertices[v];
+    const double here = height(p.vertices[v]);
+    corners_[i] = x;
+    std::uint32_t right = name_of_face(p, p.spokes[end - 1].face);
+    for (std::uint32_t k = first; k < end; ++k) {
+      const auto& spoke = p.spokes[k];
+      const std::uint32_t left = name_of_face(p, spoke.face), before = std::exchange(right, left);
+      const double there = height(spoke.to);
+      if (there > 0) {
+        const std::uint32_t c = crossings++;
+        cut_corners[c] = crossing(x, scale * spoke.to, here, there);
+        sides[side_count++] = {i, none - 1 - c, left, before};
+        crossings_[c] = {left, before};
+        faces_[before].enters = c;
+        continue;
+      }
+      Mark& mark = vertices_[spoke.vertex];
+      if (mark.stamp != stamp_) {
+        mark = {stamp_, found};
+        queue_[found++] = spoke.vertex;
+      }
+      if (i < mark.name) sides[side_count++] = {i, mark.name, left, before};
+    }
+  }
+  for (std::uint32_t c = 0; c < crossings; ++c) corners_[found + c] = cut_corners[c];
+  for (std::size_t i = 0; i < side_count; ++i)
+    if (sides[i].to >= none - crossings) sides[i].to = found + (none - 1 - sides[i].to);
+  corner_count_ = found + crossings;
+  side_count_ = side_count;
+  if (crossings > 0) close(found, crossings, keep.n, true);
+  form_ = found == 1 ? Form::corner : Form::general;
+  depth_ = -height(p.vertices[start]);
+}
+
+bool OverlapBody::cut(const HalfSpace& keep, bool of_other) {
+  const std::size_t count = corner_count_;
+  height_.make_room(count);
+  kept_as_.make_room(count);
+  double* const height = height_.data();
+  std::uint32_t* const kept_as = kept_as_.data();
+  std::uint32_t kept = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    height[i] = dot(keep.n, corners_[i]) - keep.level;
+    kept_as[i] = kept;
+    kept += height[i] > 0 ? 0 : 1;
+  }
+  if (kept == count) return false;
+  if (kept == 0) {
+    clear();
+    return true;
+  }
+  corners_.make_room(count + side_count_, count);
+  sides_.make_room(2 * side_count_, side_count_);
+  crossed_.make_room(side_count_ + 1);
+  crossings_.make_room(side_count_);
+  faces_.make_room(face_count_ + 1, face_count_);
+  form_ = Form::general;
+  ball_known_ = false;
+  Vec3d* const corners = corners_.data();
+  Side *const sides = sides_.data(), *const crossed = crossed_.data();
+  // No branch on what cannot be guessed.
+  std::size_t left = 0, crossings = 0;
+  for (std::size_t i = 0; i < side_count_; ++i) {
+    const Side s = sides[i];
+    const std::size_t from_out = height[s.from] > 0, to_out = height[s.to] > 0;
+    crossed[crossings] = s;
+    crossings += from_out ^ to_out;
+    sides[left] = {kept_as[s.from], kept_as[s.to], s.left, s.right};
+    left += (from_out | to_out) ^ 1;
+  }
+  for (std::uint32_t c = 0; c < crossings; ++c) {
+    const Side& s = crossed[c];
+    const bool from_out = height[s.from] > 0;
+    const std::uint32_t in = from_out ? s.to : s.from, out = from_out ? s.from : s.to,
+                        leaves = from_out ? s.right : s.left, enters = from_out ? s.left : s.right, here = kept + c;
+    corners[count + c] = crossing(corners[in], corners[out], height[in], height[out]);
+    crossings_[c] = {leaves, enters};
+    faces_[enters].enters = c;
+    sides[left++] = {from_out ? here : kept_as[in], from_out ? kept_as[in] : here, s.left, s.right};
+  }
+  for (std::size_t i = 0; i < count; ++i) corners[kept_as[i]] = corners[i];
+  for (std::size_t c = 0; c < crossings; ++c) corners[kept + c] = corners[count + c];
+  corner_count_ = kept + crossings;
+  side_count_ = left;
+  close(kept, static_cast<std::uint32_t>(crossings), keep.n, of_other);
   return true;
 }
 
-bool OverlapBody::cut(const Vec3d& n, double level) {
-  height_.resize(corners_.size());
-  bool outside = false;
-  for (std::size_t i = 0; i < corners_.size(); ++i) {
-    height_[i] = dot(n, corners_[i]) - level;
-    outside |= height_[i] > 0;
-  }
-  return !outside || clip({corners_.data(), 1, loops_.data(), nullptr, &faces_}, n);
+const OverlapBody::Ball& OverlapBody::ball() {
+  if (ball_known_) return ball_;
+  Vec3d sum{};
+  for (const Vec3d& x : corners()) sum += x;
+  const Vec3d middle = sum * (1 / static_cast<double>(corner_count_));
+  double square = 0;
+  for (const Vec3d& x : corners()) square = std::max(square, dot(x - middle, x - middle));
+  ball_ = {middle, std::sqrt(square)};
+  ball_known_ = true;
+  return ball_;
 }
 
-bool OverlapBody::clip(const Solid& solid, const Vec3d& n) {
-  crossings_.clear();
-  kept_as_.assign(height_.size(), none);
-  next_corners_.clear();
-  next_loops_.clear();
-  next_faces_.clear();
-  const auto keep = [&](std::uint32_t i) {
-    if (kept_as_[i] == none) {
-      kept_as_[i] = static_cast<std::uint32_t>(next_corners_.size());
-      next_corners_.push_back(solid.scale * solid.corners[i]);
-    }
-    return kept_as_[i];
+// The ball about what is left tells which planes may cut: from the body's frame into p's geometry by `into`, planes
+// back by `face_of`. Of many, the one that cuts most comes first and leaves less for the others.
+template <class Into, class FaceOf>
+void OverlapBody::cut_by(const shapes::Polyhedron& p, double down, Except except, bool of_other, Into&& into,
+                         FaceOf&& face_of) {
+  if (empty()) return;
+  Vec3d middle;
+  double reach = 0;
+  const auto look = [&] {
+    const Ball& b = ball();
+    middle = down * into(b.middle);
+    reach = down * b.radius + 32 * epsilon * (max_abs(middle) + p.circumradius);
   };
-  // Where the edge from a kept corner to one that goes crosses the plane: one corner for both faces at the edge.
-  const auto crossing = [&](std::uint32_t in, std::uint32_t out) {
-    for (std::uint32_t k = 0; k < crossings_.size(); ++k)
-      if (crossings_[k].in == in && crossings_[k].out == out) return k;
-    const double t = height_[in] / (height_[in] - height_[out]);
-    const Vec3d from = solid.scale * solid.corners[in], to = solid.scale * solid.corners[out];
-    crossings_.push_back({in, out, static_cast<std::uint32_t>(next_corners_.size()), none});
-    next_corners_.push_back(from + t * (to - from));
-    return static_cast<std::uint32_t>(crossings_.size() - 1);
-  };
-  for (std::size_t i = 0; i < solid.face_count(); ++i) {
-    const Face f = solid.face(i);
-    const std::uint32_t* loop = solid.loops + f.first;
-    const auto first = static_cast<std::uint32_t>(next_loops_.size());
-    std::uint32_t left = none, first_enter = none;
-    for (std::uint32_t k = 0; k < f.count; ++k) {
-      const std::uint32_t p = loop[k], q = loop[k + 1 == f.count ? 0 : k + 1];
-      const bool p_out = height_[p] > 0, q_out = height_[q] > 0;
-      if (!p_out) next_loops_.push_back(keep(p));
-      if (p_out == q_out) continue;
-      const std::uint32_t c = p_out ? crossing(q, p) : crossing(p, q);
-      next_loops_.push_back(crossings_[c].corner);
-      // The face goes from where it leaves to where it enters again; the cut's own face the other way.
-      if (q_out)
-        left = c;
-      else if (left == none)
-        first_enter = c;
-      else
-        crossings_[c].after = left;
-    }
-    if (first_enter != none) crossings_[first_enter].after = left;
-    close(f.normal, first, f.of_other);
+  const auto height = [&](std::uint32_t i) { return dot(p.faces[i].normal, middle) - p.faces[i].offset; };
+  look();
+  near_.make_room(p.nx.size() + 1);
+  std::uint32_t* const near = near_.data();
+  std::size_t count = kernels::search_kernels().reaching({p.nx.data(), p.ny.data(), p.nz.data(), p.nx.size()},
+                                                         p.nd.data(), p.faces.size(), middle, reach, near);
+  count = static_cast<std::size_t>(
+      std::remove_if(near, near + count, [&](std::uint32_t i) { return i == except.face[0] || i == except.face[1]; }) -
+      near);
+  if (count > 3) {
+    std::size_t first = 0;
+    double most = height(near[0]);
+    for (std::size_t i = 1; i < count; ++i)
+      if (const double h = height(near[i]); h > most) most = h, first = i;
+    std::swap(near[0], near[first]);
   }
-  // One loop; several where rounding has crossed a face in the plane more than twice.
-  for (std::uint32_t start = 0; start < crossings_.size(); ++start) {
-    const auto first = static_cast<std::uint32_t>(next_loops_.size());
-    for (std::uint32_t c = start; c != none;) {
-      next_loops_.push_back(crossings_[c].corner);
-      c = std::exchange(crossings_[c].after, none);
-      if (c == start) break;
-    }
-    if (next_loops_.size() == first + 1) next_loops_.pop_back();
-    close(n, first, true);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!(height(near[i]) + reach > 0) || !cut(face_of(near[i]), of_other)) continue;
+    if (empty()) return;
+    if (i + 2 < count) look();
   }
-  std::swap(corners_, next_corners_);
-  std::swap(loops_, next_loops_);
-  std::swap(faces_, next_faces_);
-  return !faces_.empty();
 }
 
-const OverlapBody::Face* OverlapBody::face_of_other(std::uint32_t j, std::uint32_t i) const {
-  for (const Face& f : faces_) {
-    if (!f.of_other) continue;
-    const std::uint32_t* loop = &loops_[f.first];
-    for (std::uint32_t k = 0; k < f.count; ++k)
-      if (loop[k] == j && loop[k + 1 == f.count ? 0 : k + 1] == i) return &f;
-  }
-  return nullptr;
+void OverlapBody::cut_by_self(const PolyhedronPair& pair, Except except) {
+  cut_by(
+      *pair.self, 1 / pair.self_scale, except, false, [](const Vec3d& x) { return x; },
+      [&](std::uint32_t i) {
+        const auto& face = pair.self->faces[i];
+        return HalfSpace{face.normal, pair.self_scale * face.offset};
+      });
 }
 
-// A face of the corners from `first` on, if they are enough.
-void OverlapBody::close(const Vec3d& normal, std::uint32_t first, bool of_other) {
-  const auto count = static_cast<std::uint32_t>(next_loops_.size()) - first;
-  if (count < 3)
-    next_loops_.resize(first);
-  else
-    next_faces_.push_back({normal, first, count, of_other});
+void OverlapBody::cut_by_other(const PolyhedronPair& pair, Except except) {
+  cut_by(
+      *pair.other, 1 / pair.other_scale, except, true,
+      [&](const Vec3d& x) { return transposed_times(pair.other_to_self, x - pair.offset); },
+      [&](std::uint32_t i) { return face_of_other(pair, i); });
+}
+
+bool OverlapBody::begin(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other) {
+  const auto &a = pair.self->edges[edge_of_self], &b = pair.other->edges[edge_of_other];
+  const Vec3d p = pair.self_vertex(a.vertex[0]), e = pair.self_vertex(a.vertex[1]) - p;
+  const Vec3d q = pair.other_vertex(b.vertex[0]), f = pair.other_vertex(b.vertex[1]) - q, w = q - p;
+  const Vec3d of_a[2] = {pair.self->faces[a.face[0]].normal, pair.self->faces[a.face[1]].normal};
+  const Vec3d of_b[2] = {pair.other_to_self * pair.other->faces[b.face[0]].normal,
+                         pair.other_to_self * pair.other->faces[b.face[1]].normal};
+  // Where the line of each edge meets the faces at the other one: corners 0 and 1 on self's, 2 and 3 on other's, in the
+  // order of other's faces and self's.
+  const double rise_a[2] = {dot(of_b[0], e), dot(of_b[1], e)}, rise_b[2] = {dot(of_a[0], f), dot(of_a[1], f)};
+  // Along self's edge from other's face `low` to its face `high`; then other's edge runs from self's face 0 to 1 with
+  // `low` on its left.
+  const std::uint32_t low = rise_a[0] < 0 ? 0 : 1, high = 1 - low;
+  if (!(rise_a[low] < 0 && rise_a[high] > 0 && rise_b[low] < 0 && rise_b[high] > 0)) return false;
+  double s[2], t[2];
+  for (int i = 0; i < 2; ++i) {
+    s[i] = dot(of_b[i], w) / rise_a[i];
+    t[i] = -dot(of_a[i], w) / rise_b[i];
+  }
+  const auto near_edge = [](double x) { return std::abs(x) <= 2; };
+  if (!(s[low] < s[high] && t[low] < t[high] && near_edge(s[0]) && near_edge(s[1]) && near_edge(t[0]) &&
+        near_edge(t[1])))
+    return false;
+  clear();
+  corners_.make_room(4);
+  sides_.make_room(6);
+  faces_.make_room(4);
+  corners_[0] = p + s[low] * e;
+  corners_[1] = p + s[high] * e;
+  corners_[2] = q + t[0] * f;
+  corners_[3] = q + t[1] * f;
+  faces_[0] = {of_a[0], 0, false};
+  faces_[1] = {of_a[1], 0, false};
+  faces_[2] = {of_b[low], 0, true};
+  faces_[3] = {of_b[high], 0, true};
+  constexpr Side sides[6] = {{0, 1, 0, 1}, {2, 3, 2, 3}, {1, 2, 0, 3}, {2, 0, 0, 2}, {0, 3, 1, 2}, {3, 1, 1, 3}};
+  std::copy_n(sides, 6, sides_.data());
+  form_ = Form::edges;
+  corner_count_ = face_count_ = 4;
+  side_count_ = 6;
+  return true;
 }
 
 const OverlapBody& overlap_body(const PolyhedronPair& pair) {
-  OverlapBody& body = scratch().body;
+  OverlapBody& body = scratch();
   body.begin(*pair.self, pair.self_scale);
-  for (const auto& plane : pair.other->faces) {
-    const Vec3d n = pair.other_to_self * plane.normal;
-    if (!body.cut(n, pair.other_scale * plane.offset + dot(n, pair.offset))) return nothing();
-  }
+  body.cut_by_other(pair, {});
   return body;
 }
 
-const OverlapBody& overlap_body(const PolyhedronPair& pair, const Vec3d& n) {
-  OverlapBody& body = scratch().body;
-  std::vector<double>& height = scratch().height;
-  const shapes::Polyhedron& other = *pair.other;
-  // Heights in other's geometry.
-  const Vec3d m = transposed_times(pair.other_to_self, n);
-  height.resize(other.vertices.size());
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < height.size(); ++i) {
-    height[i] = dot(m, other.vertices[i]);
-    least = height[i] < least ? height[i] : least;
-  }
-  const double base = dot(n, pair.offset), low = base + pair.other_scale * least, high = pair.highest_of_self(n).value;
-  if (!(low < high)) return nothing();
-  // A plane clear of other, whose own planes then cut its face away.
-  if (!body.begin(*pair.self, pair.self_scale, -n, -(low - 0.5 * (high - low)))) return nothing();
-  // A face with no corner below self's highest has no part in the overlap.
-  const double reach = (high + 0x1p-40 * (high - low) - base) / pair.other_scale + 8 * epsilon * other.circumradius;
-  for (const auto& face : other.faces) {
-    const std::uint32_t* loop = other.face_vertices.data() + face.first;
-    bool meets = false;
-    for (std::uint32_t k = 0; k < face.count && !meets; ++k) meets = height[loop[k]] <= reach;
-    if (!meets) continue;
-    const Vec3d normal = pair.other_to_self * face.normal;
-    if (!body.cut(normal, pair.other_scale * face.offset + dot(normal, pair.offset))) return nothing();
-  }
+const OverlapBody& overlap_under_face(const PolyhedronPair& pair, std::uint32_t face, std::uint32_t vertex) {
+  OverlapBody& body = scratch();
+  body.begin(*pair.self, pair.self_scale, face_of_other(pair, face), vertex);
+  body.cut_by_other(pair, {{face, OverlapBody::none}});
   return body;
 }
 
-const OverlapBody& overlap_body(const shapes::Polyhedron& p, double scale, const Vec3d& n, double level) {
-  OverlapBody& body = scratch().body;
-  return body.begin(p, scale, n, level) ? body : nothing();
+const OverlapBody& overlap_of_edges(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other,
+                                    const Vec3d& n, double depth) {
+  OverlapBody& body = scratch();
+  const auto &a = pair.self->edges[edge_of_self], &b = pair.other->edges[edge_of_other];
+  const OverlapBody::Except of_other{{b.face[0], b.face[1]}};
+  if (body.begin(pair, edge_of_self, edge_of_other)) {
+    body.cut_by_self(pair, {{a.face[0], a.face[1]}});
+    body.cut_by_other(pair, of_other);
+    return body;
+  }
+  // What self has under a plane clear of other, whose own planes then cut its face away.
+  body.begin(*pair.self, pair.self_scale, {-n, 1.25 * depth - dot(n, pair.self_vertex(a.vertex[0]))}, a.vertex[0]);
+  for (const std::uint32_t face : of_other.face)
+    if (!body.empty()) body.cut(face_of_other(pair, face));
+  body.cut_by_other(pair, of_other);
+  return body;
+}
+
+const OverlapBody& overlap_body(const shapes::Polyhedron& p, double scale, const HalfSpace& keep) {
+  OverlapBody& body = scratch();
+  body.begin(p, scale, keep, lowest_vertex(p, keep.n).index);
+  return body;
 }
 
 }  // namespace contact

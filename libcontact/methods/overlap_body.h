@@ -1,66 +1,117 @@
 // The overlap of convex polyhedra as a body: one of them cut by planes, plane by plane.
 //
-// Every cut decides for each corner once on which side it lies, and faces share their corners: the pieces of both
-// surfaces fit together whatever the rounding, where faces are parallel or lie in one plane too. Corners in a plane
-// are kept: a face that both bodies have in one place is the first one's.
+// A body is its sides, each with its two ends and the faces to its left and right: a cut shortens or drops sides and
+// joins, in each face that it crosses, the two places where it does. It decides for each corner once on which side it
+// lies, and faces share their sides: the pieces of both surfaces fit together whatever the rounding, where faces are
+// parallel or lie in one plane too. Corners in a plane are kept: a face that both bodies have in one place is the
+// first one's.
 //
-// Scratch of the thread that grows to the largest overlap and is not given back. Cost: corners of the overlap × planes
-// that meet it. Accuracy: corners to 64 eps of the pair's size. Tests: tests/libcontact/overlap_volume.cpp,
+// The first cut walks over the corners of a polyhedron that it keeps, from the one farthest inside: the others are not
+// looked at. Of the other body's planes only those are tried that reach into the ball about what is left.
+//
+// Scratch of the thread that grows to the largest overlap and is not given back. Cost: a corner cut off 30 ns, every
+// other cut 20 ns. Accuracy: corners to 64 eps of the pair's size. Tests: tests/libcontact/overlap_volume.cpp,
 // overlap_depth.cpp, approximate_polyhedra.cpp
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "libcontact/methods/polyhedron_pair.h"
+#include "libcontact/methods/scratch_list.h"
 
 namespace contact {
 
-class OverlapBody {
- public:
-  struct Face {
-    Vec3d normal;  // unit, out of the overlap
-    std::uint32_t first, count;
-    bool of_other;  // made by a cut
-  };
-
-  // The whole of p, scaled.
-  void begin(const shapes::Polyhedron& p, double scale);
-  // What lies of p, scaled, in n·x <= level; false: nothing.
-  bool begin(const shapes::Polyhedron& p, double scale, const Vec3d& n, double level);
-  // Keeps n·x <= level; false when nothing is left.
-  bool cut(const Vec3d& n, double level);
-
-  const std::vector<Vec3d>& corners() const { return corners_; }
-  const std::vector<Face>& faces() const { return faces_; }
-  // Corner k of a face, in order about its normal.
-  std::uint32_t name(const Face& f, std::uint32_t k) const { return loops_[f.first + k]; }
-  const Vec3d& corner(const Face& f, std::uint32_t k) const { return corners_[name(f, k)]; }
-  // The face of other with the side from j to i; null: none.
-  const Face* face_of_other(std::uint32_t j, std::uint32_t i) const;
-
- private:
-  struct Crossing {
-    std::uint32_t in, out, corner;
-    std::uint32_t after;  // of the cut's own face: the crossing that comes next
-  };
-  struct Solid;  // what is cut: a polyhedron's own arrays, or what earlier cuts have left
-  bool clip(const Solid& solid, const Vec3d& n);
-  void close(const Vec3d& normal, std::uint32_t first, bool of_other);
-
-  std::vector<Vec3d> corners_, next_corners_;
-  std::vector<double> height_;
-  std::vector<std::uint32_t> kept_as_;
-  std::vector<std::uint32_t> loops_, next_loops_;
-  std::vector<Face> faces_, next_faces_;
-  std::vector<Crossing> crossings_;
+// n·x <= level
+struct HalfSpace {
+  Vec3d n;
+  double level;
 };
 
-// What lies in both, in the frame of the pair's self; no faces: nothing. Valid until the thread's next call.
+class OverlapBody {
+ public:
+  static constexpr std::uint32_t none = 0xffffffffu;
+  struct Except {
+    std::uint32_t face[2] = {none, none};
+  };
+  // Overlaps of a known form (overlap_forms.h): one corner of self cut off by one plane, that is corner 0, the others
+  // about n in order, and the plane's face the last one; two edges, self's from corner 0 to 1 and other's from 2 to 3,
+  // self's faces 0 and 1, other's 2 at corner 0 and 3 at corner 1.
+  enum class Form { general, corner, edges };
+  struct Side {
+    std::uint32_t from, to;     // corners
+    std::uint32_t left, right;  // faces, seen from outside along the side
+  };
+  struct Face {
+    Vec3d normal;          // unit, out of the overlap
+    std::uint32_t enters;  // scratch of a cut: the crossing where the face enters what is kept
+    bool of_other;         // made by a cut
+  };
+
+  // What lies of p, scaled, in the half space; `start`: the vertex farthest inside.
+  void begin(const shapes::Polyhedron& p, double scale, const HalfSpace& keep, std::uint32_t start);
+  void begin(const shapes::Polyhedron& p, double scale) { begin(p, scale, {{}, 1}, 0); }
+  // What lies behind the two faces at an edge of each body, a tetrahedron. False: the edges do not pass through each
+  // other, or pass nearly parallel.
+  bool begin(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other);
+  // False: nothing lies outside the half space.
+  bool cut(const HalfSpace& keep, bool of_other = true);
+  // Keeps what lies behind all faces of one of the pair but those in `except`.
+  void cut_by_self(const PolyhedronPair& pair, Except except);
+  void cut_by_other(const PolyhedronPair& pair, Except except);
+
+  Form form() const { return form_; }
+  double depth() const { return depth_; }  // of a corner's form: how far it lies beyond the plane
+  bool empty() const { return side_count_ == 0; }
+  std::span<const Vec3d> corners() const { return {corners_.data(), corner_count_}; }
+  std::span<const Side> sides() const { return {sides_.data(), side_count_}; }
+  std::span<const Face> faces() const { return {faces_.data(), face_count_}; }  // some without any side
+
+ private:
+  struct Mark {
+    std::uint32_t stamp, name;
+  };
+  struct Ball {
+    Vec3d middle;
+    double radius;
+  };
+  const Ball& ball();  // about what is left
+  void clear() {
+    corner_count_ = side_count_ = face_count_ = 0;
+    ball_known_ = false;
+  }
+  void begin_walk(const shapes::Polyhedron& p);
+  std::uint32_t name_of_face(const shapes::Polyhedron& p, std::uint32_t face);
+  void close(std::uint32_t kept, std::uint32_t crossings, const Vec3d& normal, bool of_other);
+  template <class Into, class FaceOf>
+  void cut_by(const shapes::Polyhedron& p, double down, Except except, bool of_other, Into&& into, FaceOf&& face_of);
+
+  ScratchList<Vec3d> corners_;
+  ScratchList<Side> sides_, crossed_;
+  ScratchList<Face> faces_;
+  ScratchList<double> height_;
+  ScratchList<std::uint32_t> kept_as_, queue_, near_;
+  struct Crossing {
+    std::uint32_t leaves, enters;  // faces
+  };
+  ScratchList<Crossing> crossings_;
+  std::size_t corner_count_ = 0, side_count_ = 0, face_count_ = 0;
+  std::vector<Mark> vertices_, faces_of_walk_;  // what they are here, where the stamp is the last walk's
+  std::uint32_t stamp_ = 0;
+  Form form_ = Form::general;
+  double depth_ = 0;
+  Ball ball_{};
+  bool ball_known_ = false;
+};
+
+// What lies in both, in the frame of the pair's self; empty: nothing. Valid until the thread's next call.
 const OverlapBody& overlap_body(const PolyhedronPair& pair);
-// The same where self reaches into other along n, from self to other: what is out of the other's reach along n is left
-// out first.
-const OverlapBody& overlap_body(const PolyhedronPair& pair, const Vec3d& n);
-// What lies of p, scaled, in n·x <= level.
-const OverlapBody& overlap_body(const shapes::Polyhedron& p, double scale, const Vec3d& n, double level);
+// The same where self reaches under a face of other with a vertex that lies farthest below it.
+const OverlapBody& overlap_under_face(const PolyhedronPair& pair, std::uint32_t face, std::uint32_t vertex);
+// The same where two edges pass through each other, by `depth` along n, from self to other.
+const OverlapBody& overlap_of_edges(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other,
+                                    const Vec3d& n, double depth);
+// What lies of p, scaled, in the half space.
+const OverlapBody& overlap_body(const shapes::Polyhedron& p, double scale, const HalfSpace& keep);
 
 }  // namespace contact

@@ -1,15 +1,16 @@
 #include "libcontact/methods/overlap_moments.h"
 
 #include <cmath>
-#include <vector>
+#include <span>
 
 #include "libcontact/methods/depth_spread.h"
+#include "libcontact/methods/overlap_forms.h"
 
 namespace contact {
 
 namespace {
 
-using Face = OverlapBody::Face;
+using Side = OverlapBody::Side;
 
 // Axes with n last.
 struct Axes {
@@ -18,34 +19,155 @@ struct Axes {
   Vec3d operator()(const Vec3d& x) const { return {dot(t, x), dot(s, x), dot(n, x)}; }
 };
 
-// Vector area of the surface of one of the two.
-void add_surface(const OverlapBody& body, const Face& f, Vec3d& sum) {
-  const Vec3d& first = body.corner(f, 0);
-  double area = 0;
-  for (std::uint32_t k = 2; k < f.count; ++k)
-    area += dot(f.normal, cross(body.corner(f, k - 1) - first, body.corner(f, k) - first));
-  sum += (0.5 * area) * f.normal;
-}
-
-// ∫1, ∫x, ∫xxᵀ about a corner of the body, along Axes.
-struct Moments {
-  double volume = 0;
-  Vec3d first{};
-  double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
-  // The cone over a triangle, apex in the origin.
-  void add(double v, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-    const Vec3d sum = a + b + c;
-    volume += v;
-    first += (0.25 * v) * sum;
-    const double w = 0.05 * v;
-    xx += w * (sum.x * sum.x + a.x * a.x + b.x * b.x + c.x * c.x);
-    yy += w * (sum.y * sum.y + a.y * a.y + b.y * b.y + c.y * c.y);
-    zz += w * (sum.z * sum.z + a.z * a.z + b.z * b.z + c.z * c.z);
-    xy += w * (sum.x * sum.y + a.x * a.y + b.x * b.y + c.x * c.y);
-    xz += w * (sum.x * sum.z + a.x * a.z + b.x * b.z + c.x * c.z);
-    yz += w * (sum.y * sum.z + a.y * a.z + b.y * b.z + c.y * c.z);
-  }
+struct Triangle {
+  std::uint32_t a, b, c;
 };
+
+// What a body is summed over: a fan of triangles in each face, spread from the first of its corners. `cones`: those of
+// faces without corner 0, `of_other`: those of other's faces, `rim`: sides with self's face to the left, other's to the
+// right. And scratch for its corners.
+struct Sums {
+  std::size_t corners = 0;
+  std::span<const Triangle> cones, of_other;
+  std::span<const Side> rim;
+  ScratchList<Vec3d> places;
+  ScratchList<double> residuals, volumes;
+
+  void gather(const OverlapBody& body) {
+    const auto faces = body.faces();
+    const auto sides = body.sides();
+    corners = body.corners().size();
+    places.make_room(corners);
+    residuals.make_room(corners);
+    volumes.make_room(corners);
+    fans_.make_room(faces.size());
+    cones_.make_room(2 * sides.size() + 1);
+    of_other_.make_room(2 * sides.size() + 1);
+    rim_.make_room(sides.size() + 1);
+    std::uint32_t* const fans = fans_.data();
+    for (std::size_t i = 0; i < faces.size(); ++i) fans[i] = OverlapBody::none;
+    for (const Side& s : sides) {
+      const std::uint32_t first = std::min(s.from, s.to);
+      fans[s.left] = std::min(fans[s.left], first);
+      fans[s.right] = std::min(fans[s.right], first);
+    }
+    // No branch on what cannot be guessed.
+    Triangle *cone = cones_.data(), *other = of_other_.data();
+    Side* between = rim_.data();
+    for (const Side& s : sides) {
+      const std::size_t left = faces[s.left].of_other, right = faces[s.right].of_other;
+      const std::uint32_t f = fans[s.left], g = fans[s.right];
+      const std::size_t in_left = static_cast<std::size_t>(f != s.from) & static_cast<std::size_t>(f != s.to),
+                        in_right = static_cast<std::size_t>(g != s.from) & static_cast<std::size_t>(g != s.to);
+      *cone = {f, s.from, s.to};
+      cone += in_left & static_cast<std::size_t>(f != 0);
+      *other = {f, s.from, s.to};
+      other += in_left & left;
+      *cone = {g, s.to, s.from};
+      cone += in_right & static_cast<std::size_t>(g != 0);
+      *other = {g, s.to, s.from};
+      other += in_right & right;
+      *between = left != 0 ? Side{s.to, s.from, s.right, s.left} : s;
+      between += left ^ right;
+    }
+    cones = {cones_.data(), cone};
+    of_other = {of_other_.data(), other};
+    rim = {rim_.data(), between};
+  }
+
+ private:
+  ScratchList<std::uint32_t> fans_;  // of faces: the corner
+  ScratchList<Triangle> cones_, of_other_;
+  ScratchList<Side> rim_;
+};
+
+bool general_slope(const OverlapBody& body, double size, DepthSlope& out) {
+  static thread_local Sums sums;
+  sums.gather(body);
+  const Vec3d* const corners = body.corners().data();
+  const OverlapBody::Face* const faces = body.faces().data();
+  const Vec3d apex = corners[0];
+  Vec3d surface{};  // vector area of what lies of self's surface in other
+  for (const Side& s : sums.rim) surface += cross(corners[s.from] - apex, corners[s.to] - apex);
+  surface *= 0.5;
+  const double section = norm(surface);
+  if (!(section > least_depth * least_depth * size * size)) return false;
+  const Axes axes(surface * (1 / section));
+
+  const std::size_t count = sums.corners;
+  Vec3d* const places = sums.places.data();  // along the axes, from corner 0
+  double *const residuals = sums.residuals.data(), *const volumes = sums.volumes.data();
+  for (std::size_t i = 0; i < count; ++i) {
+    places[i] = axes(corners[i] - apex);
+    volumes[i] = 0;
+  }
+  // Of a cone of volume v with its apex in the origin over a triangle: ∫x = v/4 Σ, ∫xxᵀ = v/20 (ΣΣᵀ + Σ xxᵀ), Σ the sum
+  // of its corners.
+  double volume = 0, xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+  Vec3d c{};
+  const auto add = [&](double v, const Vec3d& a) {
+    xx += v * (a.x * a.x);
+    yy += v * (a.y * a.y);
+    zz += v * (a.z * a.z);
+    xy += v * (a.x * a.y);
+    xz += v * (a.x * a.z);
+    yz += v * (a.y * a.z);
+  };
+  for (const auto& [f, p, q] : sums.cones) {
+    const double v = dot(places[f], cross(places[p], places[q]));
+    const Vec3d sum = places[f] + places[p] + places[q];
+    volume += v;
+    volumes[f] += v;
+    volumes[p] += v;
+    volumes[q] += v;
+    c += v * sum;
+    add(v, sum);
+  }
+  if (!(volume > 0)) return false;
+  for (std::size_t i = 1; i < count; ++i) add(volumes[i], places[i]);
+  const double w = 0.05 / volume;
+  c *= 0.25 / volume;
+  volume *= 1.0 / 6;
+  xx = w * xx - c.x * c.x, yy = w * yy - c.y * c.y, zz = w * zz - c.z * c.z;
+  xy = w * xy - c.x * c.y, xz = w * xz - c.x * c.z, yz = w * yz - c.y * c.z;
+  Tilt tilt;
+  if (!find_tilt(xx, yy, zz, xy, xz, yz, tilt)) return false;
+  const double variance = tilt.variance;
+  out.depth = std::sqrt(12 * variance);  // (1)
+  if (!(out.depth > least_depth * size)) return false;
+  for (std::size_t i = 0; i < count; ++i) {
+    places[i] -= c;
+    residuals[i] = places[i].z - tilt.u * places[i].x - tilt.v * places[i].y;
+  }
+
+  Vec3d force{}, moment{};                       // along the axes
+  for (const auto& [f, p, q] : sums.of_other) {  // (4)
+    const CornerWeights at(0.5, residuals[f], residuals[p], residuals[q], variance);
+    const Vec3d twice = cross(places[p] - places[f], places[q] - places[f]);
+    force += at.sum() * twice;
+    moment += cross(at.a * places[f] + at.b * places[p] + at.c * places[q], twice);
+  }
+  const double scale = -out.depth / (2 * variance * volume);
+  const auto back = [&](const Vec3d& x) { return axes.t * x.x + axes.s * x.y + axes.n * x.z; };
+  out.force = back(scale * force);
+  out.moment = back(scale * moment);
+  out.centroid = apex + back(c);
+  out.volume = volume;
+  out.tt = xx, out.uu = yy, out.tu = xy;
+  out.t = axes.t, out.u = axes.s;
+  // The rim, along the body's axes.
+  const Vec3d slope = (out.depth / section) * (tilt.u * axes.t + tilt.v * axes.s);
+  for (const Side& s : sums.rim) {
+    const Vec3d &normal = faces[s.left].normal, &across = faces[s.right].normal;
+    const Vec3d &from = corners[s.from], &to = corners[s.to], along = to - from, sine = cross(normal, across);
+    const double square = dot(sine, sine);
+    if (!(square > 0)) continue;
+    const double weight = dot(slope, normal) * (dot(along, sine) / square);  // n_a × n_b runs along the side
+    out.force -= weight * across;
+    out.moment -= weight * cross(0.5 * (from + to) - out.centroid, across);
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -58,90 +180,10 @@ OverlapDepth line_of_action(const DepthSlope& s) {
 }
 
 bool depth_slope(const OverlapBody& body, double size, DepthSlope& out) {
-  if (body.faces().empty()) return false;
-  Vec3d of_self{}, of_other{};
-  for (const Face& f : body.faces()) add_surface(body, f, f.of_other ? of_other : of_self);
-  const Vec3d surface = 0.5 * (of_self - of_other);
-  const double section = norm(surface);
-  if (!(section > least_depth * least_depth * size * size)) return false;
-  const Axes axes(surface * (1 / section));
-
-  // Corners along the axes from one of them, and what they are to r.
-  static thread_local std::vector<Vec3d> places;
-  static thread_local std::vector<double> residuals;
-  const std::size_t count = body.corners().size();
-  const Vec3d apex = body.corner(body.faces()[0], 0);
-  places.resize(count);
-  residuals.resize(count);
-  for (std::size_t i = 0; i < count; ++i) places[i] = axes(body.corners()[i] - apex);
-  Moments m;
-  for (const Face& f : body.faces()) {
-    const Vec3d normal = axes(f.normal), &first = places[body.name(f, 0)];
-    const double height = dot(normal, first) / 6;
-    const Vec3d* p = &places[body.name(f, 1)];
-    for (std::uint32_t k = 2; k < f.count; ++k) {
-      const Vec3d* q = &places[body.name(f, k)];
-      m.add(dot(normal, cross(*p - first, *q - first)) * height, first, *p, *q);
-      p = q;
-    }
-  }
-  if (!(m.volume > 0)) return false;
-  const double w = 1 / m.volume;
-  const Vec3d c = w * m.first;
-  const double xx = w * m.xx - c.x * c.x, yy = w * m.yy - c.y * c.y, xy = w * m.xy - c.x * c.y;
-  const double xz = w * m.xz - c.x * c.z, yz = w * m.yz - c.y * c.z, zz = w * m.zz - c.z * c.z;
-  Tilt tilt;
-  if (!find_tilt(xx, yy, zz, xy, xz, yz, tilt)) return false;
-  const double variance = tilt.variance;
-  for (std::size_t i = 0; i < count; ++i) {
-    places[i] -= c;
-    residuals[i] = places[i].z - tilt.u * places[i].x - tilt.v * places[i].y;
-  }
-
-  out.depth = std::sqrt(12 * variance);  // (1)
-  if (!(out.depth > least_depth * size)) return false;
-  const double scale = out.depth / (2 * variance * m.volume), turn = out.depth / section;
-  Vec3d force{}, moment{};              // along the axes
-  for (const Face& f : body.faces()) {  // (4)
-    if (!f.of_other) continue;
-    const Vec3d normal = axes(f.normal);
-    const std::uint32_t i = body.name(f, 0);
-    std::uint32_t j = body.name(f, 1);
-    Vec3d at{};
-    double sum = 0;
-    for (std::uint32_t k = 2; k < f.count; ++k) {
-      const std::uint32_t l = body.name(f, k);
-      const double area = 0.5 * dot(normal, cross(places[j] - places[i], places[l] - places[i]));
-      const CornerWeights at_corner(area, residuals[i], residuals[j], residuals[l], variance);
-      sum += at_corner.sum();
-      at += at_corner.a * places[i] + at_corner.b * places[j] + at_corner.c * places[l];
-      j = l;
-    }
-    force -= (scale * sum) * normal;
-    moment -= scale * cross(at, normal);
-  }
-  for (const Face& f : body.faces()) {  // the rim: sides that a face of self has in common with one of other
-    if (f.of_other) continue;
-    const Vec3d normal = axes(f.normal);
-    const double slope = turn * (tilt.u * normal.x + tilt.v * normal.y);
-    if (slope == 0) continue;
-    for (std::uint32_t k = 0; k < f.count; ++k) {
-      const std::uint32_t i = body.name(f, k), j = body.name(f, k + 1 == f.count ? 0 : k + 1);
-      const Face* g = body.face_of_other(j, i);
-      if (g == nullptr) continue;
-      const Vec3d across = axes(g->normal);
-      const double sine = norm(cross(normal, across));
-      if (!(sine > 0)) continue;
-      const double weight = slope / sine * norm(places[j] - places[i]);
-      force -= weight * across;
-      moment -= weight * cross(0.5 * (places[i] + places[j]), across);
-    }
-  }
-  const auto back = [&](const Vec3d& x) { return axes.t * x.x + axes.s * x.y + axes.n * x.z; };
-  out.force = back(force);
-  out.moment = back(moment);
-  out.centroid = apex + back(c);
-  return true;
+  if (body.empty()) return false;
+  if (body.form() == OverlapBody::Form::corner) return corner_slope(body, size, out);
+  if (body.form() == OverlapBody::Form::edges) return edges_slope(body, size, out);
+  return general_slope(body, size, out);
 }
 
 }  // namespace contact

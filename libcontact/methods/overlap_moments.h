@@ -11,6 +11,9 @@ struct DepthSlope {
   Vec3d force{};     // −∂d/∂u: what a unit of force of d puts on other
   Vec3d moment{};    // −∂d/∂θ about `centroid`
   Vec3d centroid{};
+  // In space: V, and the variances of K across its vector area, along t and u.
+  double volume = 0, tt = 0, uu = 0, tu = 0;
+  Vec3d t{}, u{};
 };
 
 // As libcontact gives it.

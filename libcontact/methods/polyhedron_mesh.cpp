@@ -79,7 +79,7 @@ void add_over_region(const FacetView& view, const PlaneFrame& plane, const Depth
 // What lies under the whole plane of the facet, about the solid's origin, along the mesh's axes.
 bool measure_under(const PlacedSolid& solid, const FacetView& view, double size, OverlapDepth& out) {
   const Vec3d n = transposed_times(solid.rotation, view.m);
-  const OverlapBody& body = overlap_body(solid.shape, solid.scale, n, view.plane - dot(view.m, solid.centre));
+  const OverlapBody& body = overlap_body(solid.shape, solid.scale, {n, view.plane - dot(view.m, solid.centre)});
   DepthSlope slope;
   if (!depth_slope(body, size, slope)) return false;
   out = rotated(line_of_action(slope), solid.rotation);

@@ -5,6 +5,7 @@
 
 #include "libcontact/methods/expansion.h"
 #include "libcontact/methods/face_patch.h"
+#include "libcontact/methods/facet_depth.h"
 #include "libcontact/methods/gjk.h"
 #include "libcontact/methods/method.h"
 #include "libcontact/methods/sat_search.h"
@@ -163,13 +164,50 @@ bool find_nearest(const DifferencePair& pair, DifferenceFacet& facet, FacetAxis&
   return exit.kind == Exit::nearest;
 }
 
-Contact overlap(const DifferencePair& pair, const DifferenceFacet& facet, const FacetAxis& axis, const Frame& frame) {
-  Vec3d normal = frame.rotation_a * axis.normal, on_a, on_b;
+Vec3d world_normal(const DifferencePair& pair, const DifferenceFacet& facet, const FacetAxis& axis,
+                   const Frame& frame) {
+  return facet.kind == DifferenceFacet::face_of_b ? -(frame.rotation_b * pair.other->faces[facet.b].normal)
+                                                  : frame.rotation_a * axis.normal;
+}
+
+// With the depth of the overlap, whose patch then serves for the contact: a face's witness points are its vertex and
+// the foot of that within it. False: there is none, or the foot is not there.
+bool measured(const DifferencePair& pair, const DifferenceFacet& facet, const FacetAxis& axis, const Frame& frame,
+              Contact& out) {
+  if (!(axis.value < 0) || (facet.kind != DifferenceFacet::edges && !(axis.reach > 0))) return false;
+  const double smaller =
+      std::min(pair.self_scale * pair.self->circumradius, pair.other_scale * pair.other->circumradius);
+  OverlapDepth depth;
+  Patch patch;
+  if (!facet_depth(pair, facet, axis.normal, -axis.value, {frame.rotation_a, frame.rotation_b, frame.offset, smaller},
+                   depth, patch))
+    return false;
+  const Vec3d normal = world_normal(pair, facet, axis, frame);
+  Vec3d on_a, on_b;
+  if (facet.kind == DifferenceFacet::face_of_a) {
+    on_b = frame.rotation_a * pair.other_vertex(facet.b);
+    on_a = on_b - axis.value * normal;
+  } else {
+    on_a = frame.rotation_a * (facet.kind == DifferenceFacet::edges ? axis.on_a : pair.self_vertex(facet.a));
+    on_b = on_a + axis.value * normal;
+  }
+  if (facet.kind == DifferenceFacet::edges) patch = {0.5 * (on_a + on_b), {}};
+  out = frame.form(axis.value, axis.value, axis.value, normal, on_a, on_b, patch, 0);
+  out.measure = depth;
+  rescale(out.measure, frame.up);
+  return true;
+}
+
+Contact overlap(const DifferencePair& pair, const DifferenceFacet& facet, const FacetAxis& axis, const Frame& frame,
+                bool measure) {
+  Contact out;
+  if (measure && measured(pair, facet, axis, frame, out)) return out;
+  const Vec3d normal = world_normal(pair, facet, axis, frame);
+  Vec3d on_a, on_b;
   Patch patch;
   if (facet.kind == DifferenceFacet::face_of_a) {
     face_patch(pair, frame.rotation_a, {}, {facet.a, facet.b, axis.value, axis.reach}, on_a, on_b, patch);
   } else if (facet.kind == DifferenceFacet::face_of_b) {
-    normal = -(frame.rotation_b * pair.other->faces[facet.b].normal);
     face_patch(pair.swapped(), frame.rotation_b, frame.offset, {facet.b, facet.a, axis.value, axis.reach}, on_b, on_a,
                patch);
   } else {
@@ -247,7 +285,7 @@ Contact solve(const Solid& a, const Solid& b, const Vec3d& offset, const Options
     }
   }
   memory.keep(facet);
-  return overlap(pair, facet, axis, frame);
+  return overlap(pair, facet, axis, frame, options.measure);
 }
 
 Contact answer(const Solid& a, const Solid& b, const Vec3d& offset, const Options& options, Cache* cache) {

@@ -4,6 +4,8 @@
 //   the edge–edge directions whose Gauss-map arcs cross                                                         (1)
 //   separated: distance by GJK, finished in closed form on the features that lie against the supporting planes (gjk.h)
 //
+// On request (`measure`) the depth of overlap_depth.h comes along, made from the facet that answers.
+//
 // (1) is the distance from the origin to the boundary of the difference A − B, minus. Three stages, each exact: a facet
 // of the difference that is proven from itself alone (difference_facet.h), be it the one that a cache names or the one
 // that a ray from inside meets (portal.h); an expanding polytope, for deep overlaps and feet near a border

@@ -6,7 +6,11 @@
 #include <numbers>
 #include <random>
 
+#include "libcontact/methods/overlap_moments.h"
+#include "libcontact/methods/patch.h"
 #include "libcontact/methods/polygon_regions.h"
+#include "libcontact/methods/polyhedron_measure.h"
+#include "libcontact/scale.h"
 #include "shapes/math/quat.h"
 #include "shapes/mesh_generate.h"
 #include "shapes/polygon_build.h"
@@ -169,6 +173,50 @@ TEST(OverlapDepth, SlopeOfPolyhedraAndWalls) {
     }
   }
   EXPECT_GT(seen, 40);
+}
+
+// With the contact it is the same, to rounding; and nothing else changes but the patch, which is then that of the
+// overlap. Closed forms and short cuts are the sums over one body cut by all planes of the other.
+TEST(OverlapDepth, OfPolyhedraComesWithTheContact) {
+  std::mt19937_64 random(23);
+  const shapes::Polyhedron ico = shapes::make_platonic(shapes::Platonic::icosahedron, 0.8);
+  const auto expect_same = [](const OverlapDepth& d, const OverlapDepth& e) {
+    EXPECT_NEAR(d.depth, e.depth, 1e-13);
+    EXPECT_NEAR(d.gain, e.gain, 1e-11);
+    EXPECT_LE(norm(d.normal - e.normal), 1e-11);
+    EXPECT_LE(norm(d.point - e.point), 1e-11);
+    EXPECT_NEAR(d.screw, e.screw, 1e-11);
+  };
+  int seen = 0;
+  for (int i = 0; i < 90; ++i) {
+    Pair p{cube(i % 2 == 0 ? box() : ico, turned(direction(random), 3)), cube(ico, turned(direction(random), 2)),
+           direction(random)};
+    if (i % 3 == 0) p.b = cube(box(), turned(direction(random), 0.01)), p.a = cube(box()), p.offset = {0.2, 0.3, 0.9};
+    if (!press(p, 0.01)) continue;
+    const Contact with = query(p.a, p.b, p.offset, {.measure = true}), without = query(p.a, p.b, p.offset);
+    EXPECT_EQ(with.gap, without.gap);
+    EXPECT_LE(norm(with.normal - without.normal), 0);
+    EXPECT_LE(norm(with.point_a - without.point_a), 0.01);
+    EXPECT_LE(norm(with.patch.centre - without.patch.centre), 0.01);
+    EXPECT_EQ(without.measure.depth, 0);
+    OverlapDepth d;
+    ASSERT_TRUE(overlap_depth(p.a, p.b, p.offset, with.normal, d));
+    if (with.measure.depth > 0) ++seen, expect_same(with.measure, d);
+    const Contact back = query(p.b, p.a, -p.offset, {.measure = true});
+    EXPECT_EQ(back.measure.depth, with.measure.depth);
+    EXPECT_LE(norm(back.measure.normal + with.measure.normal), 0);
+    double up = 1;
+    DepthSlope slope;
+    ASSERT_TRUE(depth_slope(
+        overlap_body(
+            placed_polyhedra(placed<shapes::Polyhedron>(p.a), placed<shapes::Polyhedron>(p.b), p.offset, up).pair),
+        0.1, slope));
+    OverlapDepth plain = rotated(line_of_action(slope), p.a.rotation);
+    rescale(plain, up);
+    expect_same(plain, d);
+    ASSERT_FALSE(HasFailure()) << "case " << i;
+  }
+  EXPECT_GT(seen, 60);
 }
 
 TEST(OverlapDepth, SlopeOfRoundedOnAPlane) {
