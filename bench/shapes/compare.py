@@ -30,12 +30,12 @@ import statistics
 import subprocess
 import sys
 import tempfile
-import time
 
-import figure
-import scenes
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+import figure  # noqa: E402
+import scenes  # noqa: E402
+import timed_run  # noqa: E402
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 STUDENT = [12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228]  # 97.5 % at 1, 2, ... degrees of freedom
 QUICK = ["sphere", "ellipsoid 1:1:2", "cube", "grain as ellipsoid", "disc", "hexagon"]
 BASE = {"space": "sphere", "grain": "sphere", "plane": "disc"}
@@ -79,40 +79,14 @@ def discharge(rows):
     return (mass / span if span > 0 else None), total
 
 
-def watched(command, messages):
-    """Runs a program: wall time, what it used, peak of its memory in MB, exit code. The kernel's own figure for a child begins with
-    the memory of the parent, so the peak is looked up while the child lives."""
-    began, peak = time.time(), 0
-    child = subprocess.Popen(command, stdout=messages, stderr=messages)
-    while True:
-        ended, status, usage = os.wait4(child.pid, os.WNOHANG)
-        if ended:
-            child.returncode = os.waitstatus_to_exitcode(status)
-            return time.time() - began, usage, peak / 1024, child.returncode
-        with open(f"/proc/{child.pid}/status", encoding="ascii") as file:
-            peak = next((int(line.split()[1]) for line in file if line.startswith("VmHWM")), peak)
-        time.sleep(0.02)
-
-
 def measure(program, folder, text, plane):
     """Runs one scene: what it cost and what its bodies did."""
-    path, out = os.path.join(folder, "scene.toml"), os.path.join(folder, "run")
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(text)
-    with open(os.path.join(folder, "messages"), "w+", encoding="utf-8") as messages:
-        wall, usage, memory, code = watched([program, "run", path, "--out", out, "--force", "--quiet", "--threads", "1"], messages)
-        if code != 0:
-            messages.seek(0)
-            raise RuntimeError(messages.read().strip()[-500:])
-    with open(os.path.join(out, "summary.json"), encoding="utf-8") as file:
-        summary = json.load(file)
-    share = (usage.ru_utime + usage.ru_stime) / wall
-    loop = summary["seconds"]["loop"] * min(1.0, share)  # what another process had of the core is not ours
-    particle_steps = summary["particle_steps_per_s"] * summary["seconds"]["loop"]
-    contact_steps = summary["counters"]["contact_steps"]
+    timed = timed_run.run_text(program, folder, text)
+    summary, out = timed.summary, os.path.join(folder, "run")
+    loop, particle_steps, contact_steps = timed.seconds("loop"), timed.particle_steps, timed.summary["counters"]["contact_steps"]
     opened = next((event["time"] for event in summary["events"] if event["name"] == "open"), None)
     if opened is None:
-        raise RuntimeError(f"the bed did not come to rest within {scenes.LATEST} s")
+        raise timed_run.Failed(f"the bed did not come to rest within {scenes.LATEST} s")
     opens = math.floor(opened / scenes.INTERVAL)  # the last frame before
     where = ",".join(f"{v:.9g}" for v in scenes.region(plane))
     rest = series(program, out, str(opens), ["density", "coordination"], ["--region", where])
@@ -120,11 +94,11 @@ def measure(program, folder, text, plane):
     end = series(program, out, "-5:", ["repose", "velocity"])
     angles = [r["angle_of_repose"] for r in end["repose"] if r.get("angle_of_repose") is not None]  # no column: no frame has one
     rate, left = discharge(series(program, out, f"{opens}:", ["flow"])["flow"])
-    return {"ns_step": 1e9 * loop / particle_steps, "ns_contact": 1e9 * loop / contact_steps, "cpu": loop, "memory": memory,
+    return {"ns_step": 1e9 * loop / particle_steps, "ns_contact": 1e9 * loop / contact_steps, "cpu": loop, "memory": timed.memory,
             "touching": contact_steps / particle_steps, "fraction": rest["density"][0]["solid_fraction"],
             "coordination": rest["coordination"][0]["coordination"], "angle": statistics.mean(angles) if angles else None,
             "discharge": rate, "opened": opened, "dt": summary["dt"], "speed_at_rest": still, "speed_at_end": end["velocity"][-1]["mean_speed"],
-            "left": left, "cpu_pct": 100 * share}
+            "left": left, "cpu_pct": 100 * timed.share}
 
 
 def cases(quick, only):
@@ -157,21 +131,13 @@ def shapes_of(runs, group):
     return list(dict.fromkeys(r["shape"] for r in runs if r["group"] == group))
 
 
-def print_rows(rows):
-    for number, row in enumerate(rows):
-        print("| " + " | ".join(row) + " |")
-        if number == 0:
-            print("|" + "---|" * len(row))
-    print(flush=True)
-
-
 def table(runs, group, title):
     print(title)
     head = {"ratio": "x disc"} if group == "plane" else {}
     rows = [["shape"] + [head.get(key, name) for key, name, _ in COLUMNS]]
     for shape in shapes_of(runs, group):
         rows.append([shape] + [cell(values_of(runs, group, shape, key), form) for key, _, form in COLUMNS])
-    print_rows(rows)
+    timed_run.print_table(rows)
 
 
 def errors(runs):
@@ -193,7 +159,7 @@ def errors(runs):
             row.append("reference" if same else f"{100 * off / statistics.mean(best):+.1f} %{', indistinguishable' if overlap else ''}")
         rows.append(row)
     print(f"Bulk error relative to the finest ({finest[1]}); indistinguishable: the 95 % intervals overlap")
-    print_rows(rows)
+    timed_run.print_table(rows)
 
 
 def warn(runs):
@@ -217,13 +183,6 @@ def report(runs, out):
     figure.draw(out, {group: [(shape, {key: (statistics.mean(v), half_width(v)) for key in ["ns_step"] + BULK
                                        if (v := values_of(runs, group, shape, key))}) for shape in shapes_of(runs, group)]
                       for group in ("space", "grain")})
-
-
-def machine(program):
-    version = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout.strip()
-    with open("/proc/cpuinfo", encoding="utf-8") as file:
-        processor = next((line.split(":")[1].strip() for line in file if line.startswith("model name")), "unknown")
-    return {"version": version, "processor": processor, "command": " ".join(["python3"] + sys.argv)}
 
 
 def write(runs, out, about):
@@ -258,7 +217,7 @@ def run_all(given, about):
                 count = round(share * scenes.geometry(plane)["count"])
                 try:
                     found = measure(given.dem, folder, scenes.scene(shape, texts, plane, count, seed), plane)
-                except RuntimeError as fault:
+                except timed_run.Failed as fault:
                     failed.append((group, shape))
                     print(f"FAILED {group}, {shape}, seed {seed}: {fault}", flush=True)
                     continue
@@ -277,15 +236,13 @@ def main():
     arguments.add_argument("--only", default="")
     arguments.add_argument("--out", default="out/shapes")
     arguments.add_argument("--from", dest="earlier")
-    arguments.add_argument("--dem", default=os.path.join(ROOT, "build", "release", "bin", "dem"))
+    arguments.add_argument("--dem", default=timed_run.PROGRAM)
     given = arguments.parse_args()
     os.makedirs(given.out, exist_ok=True)
     if given.earlier:
         report(read(given.earlier), given.out)
         return 0
-    if not os.path.exists(given.dem):
-        sys.exit(f"{given.dem} is not there: build first (./run does)")
-    about = machine(given.dem)
+    about = timed_run.about(given.dem)
     print("\n".join(f"{k}: {v}" for k, v in about.items()) + ("\nquick: numbers are not to be quoted" if given.quick else ""), flush=True)
     runs, failed = run_all(given, about)
     report(runs, given.out)
