@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""compare.py [--seeds N] [--count N] [--quick] [--only TEXT] [--out DIR] [--from FILE] [--dem PROGRAM]
+"""compare.py [--seeds N] [--count N] [--quick] [--only TEXT]... [--out DIR] [--from FILE]... [--dem PROGRAM]
 
 What the shape of a body costs and what it changes, in one scene (scenes.py): bodies are poured into a flat-bottomed bin, come to
 rest, and run out through a slot beside the right wall. All have the same solid volume (in the plane: area), density, friction and
@@ -17,8 +17,8 @@ discharge   while the part from 10 % to 60 % of what leaves ran out (flow)
 
 --count    bodies in space (that in the plane goes with it)
 --quick    one seed, only some of the shapes: shows that it works (1 min)
---only     shapes whose name contains TEXT
---from     no runs: tables and figure of an earlier shapes.csv
+--only     shapes whose name contains a TEXT, and spheres and discs
+--from     no runs: tables and figure of earlier files shapes.csv; of a run that is in several the last counts
 
 Run from anywhere; needs build/release/bin/dem (./run builds it). Exit status 1: a run failed."""
 import argparse
@@ -39,7 +39,7 @@ import timed_run  # noqa: E402
 STUDENT = [12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228]  # 97.5 % at 1, 2, ... degrees of freedom
 QUICK = ["sphere", "ellipsoid 1:1:2", "cube", "grain as ellipsoid", "disc", "hexagon"]
 BASE = {"space": "sphere", "grain": "sphere", "plane": "disc"}
-COLUMNS = [  # key, head, format
+COLUMNS = [  # key, head, format; ratio is of ns_step
     ("ns_step", "ns/step", "{:.0f}"), ("ratio", "x sphere", "{:.2f}"), ("ns_contact", "ns/contact", "{:.0f}"), ("cpu", "cpu s", "{:.1f}"),
     ("memory", "MB", "{:.1f}"), ("touching", "touching", "{:.2f}"), ("fraction", "fraction", "{:.3f}"), ("coordination", "Z", "{:.2f}"),
     ("angle", "angle, deg", "{:.1f}"), ("discharge", "discharge, kg/s", "{:.3f}")]
@@ -106,7 +106,7 @@ def cases(quick, only):
     rows = []
     for group, bodies in (("space", scenes.solids()), ("grain", scenes.one_grain()), ("plane", scenes.plane_bodies())):
         rows += [(group, name, shapes) for name, shapes in bodies.items()
-                 if (not quick or name in QUICK) and (only in name or name in BASE.values())]
+                 if (not quick or name in QUICK) and (not only or any(text in name for text in only) or name in BASE.values())]
     return rows
 
 
@@ -134,9 +134,9 @@ def shapes_of(runs, group):
 def table(runs, group, title):
     print(title)
     head = {"ratio": "x disc"} if group == "plane" else {}
-    rows = [["shape"] + [head.get(key, name) for key, name, _ in COLUMNS]]
+    rows = [["shape", "seeds"] + [head.get(key, name) for key, name, _ in COLUMNS]]
     for shape in shapes_of(runs, group):
-        rows.append([shape] + [cell(values_of(runs, group, shape, key), form) for key, _, form in COLUMNS])
+        rows.append([shape, str(len(values_of(runs, group, shape, "cpu")))] + [cell(values_of(runs, group, shape, key), form) for key, _, form in COLUMNS])
     timed_run.print_table(rows)
 
 
@@ -224,7 +224,7 @@ def run_all(given, about):
                 runs.append({"group": group, "shape": shape, "seed": seed} | found)
                 print(f"RESULT group={group} shape=\"{shape}\" seed={seed} N={count} " +
                       " ".join(f"{k}={v:.4g}" if v is not None else f"{k}=none" for k, v in found.items()), flush=True)
-            write(runs, given.out, about)
+                write(runs, given.out, about)
     return runs, failed
 
 
@@ -233,14 +233,14 @@ def main():
     arguments.add_argument("--seeds", type=int, default=5)
     arguments.add_argument("--count", type=int, default=scenes.SPACE["count"])
     arguments.add_argument("--quick", action="store_true")
-    arguments.add_argument("--only", default="")
+    arguments.add_argument("--only", action="append")
     arguments.add_argument("--out", default="out/shapes")
-    arguments.add_argument("--from", dest="earlier")
+    arguments.add_argument("--from", dest="earlier", action="append")
     arguments.add_argument("--dem", default=timed_run.PROGRAM)
     given = arguments.parse_args()
     os.makedirs(given.out, exist_ok=True)
     if given.earlier:
-        report(read(given.earlier), given.out)
+        report([run for path in given.earlier for run in read(path)], given.out)
         return 0
     about = timed_run.about(given.dem)
     print("\n".join(f"{k}: {v}" for k, v in about.items()) + ("\nquick: numbers are not to be quoted" if given.quick else ""), flush=True)

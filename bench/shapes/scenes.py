@@ -89,25 +89,24 @@ def wall(name, kind, material, **keys):
     return "\n".join(lines + [f"{key} = {value}" for key, value in keys.items()]) + "\n"
 
 
-def space_walls():
-    d = DIAMETER
-    width, half, ledge = SPACE["width"] * d, SPACE["depth"] * d / 2, SPACE["ledge"] * d
-    return (wall("left", "plane", "grain", point=[0, 0, 0], normal=[1, 0, 0]) +
-            wall("right", "plane", "grain", point=[width, 0, 0], normal=[-1, 0, 0]) +
-            wall("front", "plane", "smooth", point=[0, -half, 0], normal=[0, 1, 0]) +
-            wall("back", "plane", "smooth", point=[0, half, 0], normal=[0, -1, 0]) +
-            wall("floor", "panel", "grain", corner=[-d, -half - d, 0], side_1=[ledge + d, 0, 0], side_2=[0, 2 * (half + d), 0]) +
-            wall("gate", "panel", "grain", corner=[ledge, -half - d, 0], side_1=[width - ledge + d, 0, 0],
-                 side_2=[0, 2 * (half + d), 0]))
+def side_walls(plane):
+    d, size = DIAMETER, geometry(plane)
+    width, half = size["width"] * d, size["depth"] * d / 2
+    kind = "line" if plane else "plane"
+    sides = (wall("left", kind, "grain", point=[0, 0, 0], normal=[1, 0, 0]) +
+             wall("right", kind, "grain", point=[width, 0, 0], normal=[-1, 0, 0]))
+    if plane:
+        return sides
+    return (sides + wall("front", kind, "smooth", point=[0, -half, 0], normal=[0, 1, 0]) +
+            wall("back", kind, "smooth", point=[0, half, 0], normal=[0, -1, 0]))
 
 
-def plane_walls():
-    d = DIAMETER
-    width, ledge = PLANE["width"] * d, PLANE["ledge"] * d
-    return (wall("left", "line", "grain", point=[0, 0, 0], normal=[1, 0, 0]) +
-            wall("right", "line", "grain", point=[width, 0, 0], normal=[-1, 0, 0]) +
-            wall("floor", "polyline", "grain", vertices=[[-d, 0, 0], [ledge, 0, 0]], depth=d) +
-            wall("gate", "polyline", "grain", vertices=[[ledge, 0, 0], [width + d, 0, 0]], depth=d))
+def floor_part(name, plane, start, end):
+    """The floor from x = start to x = end, in diameters."""
+    d, y = DIAMETER, (geometry(plane)["depth"] / 2 + 1) * DIAMETER
+    if plane:
+        return wall(name, "polyline", "grain", vertices=[[start * d, 0, 0], [end * d, 0, 0]], depth=d)
+    return wall(name, "panel", "grain", corner=[start * d, -y, 0], side_1=[(end - start) * d, 0, 0], side_2=[0, 2 * y, 0])
 
 
 def geometry(plane):
@@ -120,8 +119,8 @@ def region(plane):
     return [x0, z0, x1, z1] if plane else [x0, -y, z0, x1, y, z1]
 
 
-def scene(name, shapes, plane, count, seed):
-    """The text of one scene."""
+def poured(name, shapes, plane, count, seed):
+    """The text of a scene in which bodies fall between the side walls; it has no floor."""
     d, size = DIAMETER, geometry(plane)
     low, high = (d * v for v in size["spout"])
     half = size["depth"] * d / 2
@@ -170,19 +169,27 @@ rate = {count / POUR}
 count = {count}
 velocity = {down(0.5)}
 items = [{items}]
-[[event]]
+"""
+    text += "".join(f'[[shape]]\nname = "body {i}"\n{shape}\n' for i, shape in enumerate(shapes))
+    return text + side_walls(plane)
+
+
+def scene(name, shapes, plane, count, seed):
+    """The text of a scene of the comparison."""
+    d, size = DIAMETER, geometry(plane)
+    calm = f'when = "rain.pour.count >= {count} and mean_speed < {AT_REST}"'
+    outlet = "point = [0, {0}, 0]\nnormal = [0, 1, 0]" if plane else "point = [0, 0, {0}]\nnormal = [0, 0, 1]"
+    return (poured(name, shapes, plane, count, seed) + floor_part("floor", plane, -1, size["ledge"]) +
+            floor_part("gate", plane, size["ledge"], size["width"] + 1) + f"""[[event]]
 name = "open"
-when = "rain.pour.count >= {count} and mean_speed < {AT_REST}"
+{calm}
 remove_wall = "gate"
 [[event]]
 name = "end"
-when = "rain.pour.count >= {count} and mean_speed < {AT_REST}"
+{calm}
 delay = {size["run_out"]}
 stop = true
 [[outlet]]
 name = "below"
-point = {down(3 * d)}
-normal = {down(-1)}
-"""
-    text += "".join(f'[[shape]]\nname = "body {i}"\n{shape}\n' for i, shape in enumerate(shapes))
-    return text + (plane_walls() if plane else space_walls())
+{outlet.format(-3 * d)}
+""")
