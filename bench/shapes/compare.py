@@ -58,8 +58,10 @@ def half_width(values):
 def series(program, run, frames, what, extra=()):
     """Rows of what dem analyse finds over time: {quantity: [{column: number or None}]}."""
     with tempfile.TemporaryDirectory() as out:
-        subprocess.run([program, "analyse", run, "--frames", frames, "--what", ",".join(what), "--out", out, "--quiet", "--threads", "1",
-                        *extra], check=True, stdout=subprocess.DEVNULL)
+        done = subprocess.run([program, "analyse", run, "--frames", frames, "--what", ",".join(what), "--out", out, "--quiet",
+                               "--threads", "1", *extra], capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            raise timed_run.Failed(done.stderr.strip())
         found = {}
         for quantity in what:
             with open(os.path.join(out, f"{quantity}_series.csv"), encoding="utf-8", newline="") as file:
@@ -128,7 +130,8 @@ def cell(values, form):
 
 
 def shapes_of(runs, group):
-    return list(dict.fromkeys(r["shape"] for r in runs if r["group"] == group))
+    present = {r["shape"] for r in runs if r["group"] == group}
+    return [shape for shape in scenes.order() if shape in present]
 
 
 def table(runs, group, title):
@@ -136,7 +139,8 @@ def table(runs, group, title):
     head = {"ratio": "x disc"} if group == "plane" else {}
     rows = [["shape", "seeds"] + [head.get(key, name) for key, name, _ in COLUMNS]]
     for shape in shapes_of(runs, group):
-        rows.append([shape, str(len(values_of(runs, group, shape, "cpu")))] + [cell(values_of(runs, group, shape, key), form) for key, _, form in COLUMNS])
+        seeds = str(len(values_of(runs, group, shape, "cpu")))
+        rows.append([shape, seeds] + [cell(values_of(runs, group, shape, key), form) for key, _, form in COLUMNS])
     timed_run.print_table(rows)
 
 
@@ -234,7 +238,7 @@ def main():
     arguments.add_argument("--count", type=int, default=scenes.SPACE["count"])
     arguments.add_argument("--quick", action="store_true")
     arguments.add_argument("--only", action="append")
-    arguments.add_argument("--out", default="out/shapes")
+    arguments.add_argument("--out", default="build/shapes")
     arguments.add_argument("--from", dest="earlier", action="append")
     arguments.add_argument("--dem", default=timed_run.PROGRAM)
     given = arguments.parse_args()

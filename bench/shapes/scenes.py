@@ -13,11 +13,15 @@ AT_REST = 0.015        # m/s: mean speed, a twentieth of that of a fall over a d
 LATEST = 3             # s: a bed that does not come to rest before ends the run
 INTERVAL = 0.025       # s between frames
 # Sizes in diameters: width, depth, part of the floor that stays, height of the region in which bodies appear, half-width and
-# heights of the region that is looked at; time that the discharge is given, s.
-SPACE = {"width": 15, "depth": 3.5, "ledge": 10, "count": 500, "spout": (11, 23), "look": (2, 13, 0.9, 1.5, 6), "run_out": 0.65}
-PLANE = {"width": 30, "depth": 0, "ledge": 20, "count": 500, "spout": (19, 36), "look": (2, 28, 0, 2, 12), "run_out": 0.9}
+# heights of the region that is looked at; time that the discharge is given, s; length of a step over the smallest limit.
+SPACE = {"width": 15, "depth": 3.5, "ledge": 10, "count": 500, "spout": (11, 23), "look": (2, 13, 0.9, 1.5, 6), "run_out": 0.65,
+         "dt_fraction": 0.5}
+PLANE = {"width": 30, "depth": 0, "ledge": 20, "count": 500, "spout": (19, 36), "look": (2, 28, 0, 2, 12), "run_out": 0.9,
+         "dt_fraction": 0.3}  # an L that slides over a corner has more contacts than are counted with
 
 GRAINS = ["cement140_03", "cement140_10", "ma165_01", "ma165_10", "sacci425_05", "sacci425_12", "sika-fib_01", "sika-fib_27"]
+VERTICES = (12, 24, 60, 200)
+FIDELITY = ["grain as ellipsoid", "grain as 12 spheres"] + [f"grain, {count} vertices" for count in VERTICES]
 
 
 def numbers(rows):
@@ -41,7 +45,7 @@ def solids():
     edge = (math.pi / 6 * 12 / (5 * (3 + math.sqrt(5)))) ** (1 / 3) * d  # of the icosahedron
     icosahedron = edge / 4 * math.sqrt(10 + 2 * math.sqrt(5))
     cube = (math.pi / 6) ** (1 / 3) * d
-    bodies = {
+    return {
         "sphere": [f'kind = "sphere"\nradius = {d / 2}'],
         "clump of 1:1:2": [f'kind = "clump"\ndiameter = {d}\nspheres = {numbers(prolate_clump(7))}'],
         "ellipsoid 1:1:2": [f'kind = "ellipsoid"\nsemi_axes = [{a:.9g}, {a:.9g}, {2 * a:.9g}]'],
@@ -50,22 +54,18 @@ def solids():
         "grains coarse": [f'kind = "polyhedron"\ndiameter = {d}\nfile = "grain:{name}"' for name in GRAINS],
         "grains fine": [f'kind = "polyhedron"\ndiameter = {d}\nfile = "grain-fine:{name}"' for name in GRAINS],
     }
-    return bodies
 
 
 def one_grain():
-    """The same of one grain, coarse to fine; its sphere is that of solids()."""
+    """The same of one grain, coarse to fine (FIDELITY); its sphere is that of solids()."""
     d = DIAMETER
     points = grain.surface(5000)
     sizes = grain.extents(points)
     unit = d / (sizes[0] * sizes[1] * sizes[2]) ** (1 / 3) / 2
     axes = ", ".join(f"{unit * size:.9g}" for size in sizes)
-    bodies = {"grain as ellipsoid": [f'kind = "ellipsoid"\nsemi_axes = [{axes}]'],
-              "grain as 12 spheres": [f'kind = "clump"\ndiameter = {d}\nspheres = {numbers(grain.clump(points, 12))}']}
-    for count in (12, 24, 60, 200):
-        bodies[f"grain, {count} vertices"] = [f'kind = "polyhedron"\ndiameter = {d}\n'
-                                              f"vertices = {numbers(grain.hull_vertices(points, count))}"]
-    return bodies
+    texts = [f'kind = "ellipsoid"\nsemi_axes = [{axes}]', f'kind = "clump"\ndiameter = {d}\nspheres = {numbers(grain.clump(points, 12))}']
+    texts += [f'kind = "polyhedron"\ndiameter = {d}\nvertices = {numbers(grain.hull_vertices(points, count))}' for count in VERTICES]
+    return {name: [text] for name, text in zip(FIDELITY, texts)}
 
 
 def plane_bodies():
@@ -82,6 +82,11 @@ def plane_bodies():
         "hexagon": [f'kind = "regular_polygon"\nsides = 6\ncircumradius = {hexagon:.9g}'],
         "L, not convex": [f'kind = "polygon"\nvertices = {numbers(angle)}'],
     }
+
+
+def order():
+    """All names, as they stand in tables."""
+    return list(solids()) + FIDELITY + list(plane_bodies())
 
 
 def wall(name, kind, material, **keys):
@@ -130,7 +135,7 @@ def poured(name, shapes, plane, count, seed):
     text = f"""title = "{name}"
 [run]
 time = {LATEST}
-dt_fraction = 0.5
+dt_fraction = {size["dt_fraction"]}
 check_every = 50
 seed = {seed}
 [output]
