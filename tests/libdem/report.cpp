@@ -50,7 +50,7 @@ TEST(Report, DrawingInAPage) {
 TEST(Report, FiguresOfWhatIsThere) {
   const auto folder = std::filesystem::temp_directory_path() / "dem-report-figures";
   std::filesystem::create_directories(folder);
-  std::ofstream(folder / "rdf_1.csv") << "# units: r m, g 1\nr,g\n0.1,1\n";
+  std::ofstream(folder / "rdf_1.csv") << "# units: r m, g 1\nr,g\n0.1,1\n0.2,3\n";
   std::ofstream(folder / "rdf_2.csv") << "# units: r m, g 1\n# title\nr,g\n";  // without rows
   Listing listing;
   listing.folder = folder.string();
@@ -60,12 +60,14 @@ TEST(Report, FiguresOfWhatIsThere) {
   ListedQuantity energy{"energy", "", "", {}, {}, {}};
   energy.scalars.push_back({"potential", "J", 2, 1.0, {}, {}, {}, false});
   energy.scalars.push_back({"translational", "J", 1, 1.0, {}, {}, {}, false});  // in one frame: no series
+  energy.scalars.push_back({"rotational", "J", 2, 0.0, {}, {}, {}, false});     // zero throughout: no line
   listing.quantities = {rdf, energy};
-  const std::vector<Figure> figures = figures_of(listing, "../analysis");
+  const std::vector<Figure> figures = figures_of(listing, {"../analysis", "", ""});
   ASSERT_EQ(figures.size(), 2u);
   EXPECT_EQ(figures[0].name, "series_energy_potential");
   EXPECT_NE(figures[0].script.find("'../analysis/energy_series.csv' using 'time':'potential'"), std::string::npos)
       << figures[0].script;
+  EXPECT_EQ(figures[0].group, "Energy and motion");
   EXPECT_EQ(figures[1].name, "rdf");
   EXPECT_NE(figures[1].script.find("'../analysis/rdf_1.csv' using 'r':'g'"), std::string::npos) << figures[1].script;
   EXPECT_NE(figures[1].script.find("set xlabel 'r (m)'"), std::string::npos);
