@@ -52,7 +52,7 @@ int law_command(const LawArguments& arguments);
 
 struct RenderArguments {
   std::string folder, color_by = "speed";
-  std::optional<int> frame;
+  std::optional<int> frame, reference;
   bool movie = false;
   int width = 1200, height = 900;
 };

@@ -1,5 +1,6 @@
 // The dem program: reads the command line and hands over to a command. The only source file that includes CLI11.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -7,9 +8,11 @@
 #include <cstdlib>
 #include <exception>
 
+#include "libdem/analysis/body_colours.h"
 #include "libdem/analysis/group_words.h"
 #include "libdem/cli/commands.h"
 #include "libdem/io/io.h"
+#include "libdem/render/render.h"
 #include "shapes/polyhedron_build.h"
 
 namespace {
@@ -120,15 +123,28 @@ void add_law(CLI::App& app, LawArguments& a) {
       ->excludes(plot);
 }
 
+std::string colours_text() {
+  const auto joined = [](const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); };
+  return joined(dem::render::color_names()) +
+         ";\nbands fixed at the reference frame, deformation since then, and rates: " +
+         joined(dem::analysis::body_colour_words()) + ".";
+}
+
 void add_render(CLI::App& app, RenderArguments& a, std::string& size) {
   CLI::App* sub = command(app, "render", "Draw a run, without a display.",
                           "  dem render out/hopper\n"
                           "  dem render out/hopper --frame 10 --color-by shape --size 1920x1080\n"
-                          "  dem render out/hopper --movie");
+                          "  dem render out/hopper --movie --colour layers --reference 12\n"
+                          "Colours: " +
+                              colours_text());
   sub->add_option("folder", a.folder, "Folder of the run")->required()->type_name("DIR");
   auto* frame = sub->add_option("--frame", a.frame, "A frame of the record, from 0 (default: the last state)");
-  sub->add_option("--color-by", a.color_by, "speed, id, shape, size, material, species or force")
+  sub->add_option("--color-by,--colour", a.color_by, "What colours show, see below")
+      ->type_name("WORD")
       ->capture_default_str();
+  sub->add_option("--reference", a.reference,
+                  "Frame that bands and deformation refer to; negative from the end (default: 0)")
+      ->type_name("FRAME");
   sub->add_flag("--movie", a.movie, "All frames as a movie (ffmpeg), or as numbered pictures")->excludes(frame);
   sub->add_option("--size", size, "Width x height in pixels")->capture_default_str()->type_name("WxH");
 }

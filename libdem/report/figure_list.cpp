@@ -72,7 +72,8 @@ void FigureList::add_table(const std::string& quantity, const std::string& table
   const ListedTable* t = table(quantity, table_name);
   if (t == nullptr) return;
   const std::string file = last_file(*t);
-  if (file.empty() || t->unit_of(x).empty() || !has_rows((fs::path(listing_.folder) / file).string(), 2)) return;
+  const int least = lines[0].with.starts_with("boxes") ? 1 : 2;
+  if (file.empty() || t->unit_of(x).empty() || !has_rows((fs::path(listing_.folder) / file).string(), least)) return;
   std::vector<std::string> plots;
   for (const Line& line : lines)
     if (!t->unit_of(line.column).empty()) plots.push_back(plot(file, x, line));

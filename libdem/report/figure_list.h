@@ -24,7 +24,7 @@ class FigureList {
   // Scalars of one unit over time: those that there are and that are not zero throughout.
   void add_series(const std::string& quantity, const std::vector<std::string>& names, const std::string& title,
                   const std::string& y);
-  // Columns of a table over another of its columns, of the last frame that has rows; one row makes no figure.
+  // Columns of a table over another of its columns, of the last frame that has rows; one row makes bars alone.
   void add_table(const std::string& quantity, const std::string& table, const std::string& x,
                  const std::vector<Line>& lines, const std::string& y, const std::string& settings = "");
 

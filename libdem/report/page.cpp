@@ -134,7 +134,7 @@ Outcome write_report(const Input& input, const analysis::Frames& frames) {
   const Listing listing = read_listing(input.analysis);
   const std::string folder = figures_folder(input.page);
   Outcome out;
-  const ViewData view = view_data(frames, listing, input.max_bodies);
+  const ViewData view = view_data(frames, listing, input.max_bodies, input.reference);
   std::vector<std::string> figure_notes;
   const auto seen = [&](const std::string& path) {
     return path.empty() ? "" : fs::proximate(fs::absolute(path), fs::absolute(folder)).generic_string();
