@@ -30,6 +30,9 @@ std::vector<Figure> figures_of(const Listing& listing, const Folders& folders);
 std::vector<Figure> draw_figures(std::vector<Figure> figures, const std::string& folder,
                                  std::vector<std::string>& notes);
 
+// Removes the scripts of an earlier report, and their drawings.
+void remove_figures(const std::string& folder);
+
 // A drawing of gnuplot's as part of a page: no prologue, names of its parts of its own.
 std::string svg_in_page(const std::string& svg, const std::string& name);
 

@@ -100,12 +100,29 @@ TEST_F(Report, OnePageOfARun) {
   // Again: the analysis stands, and the page has the same bytes.
   ASSERT_EQ(program::dem({"report", run()}).exit_code, 0);
   EXPECT_EQ(program::read(run() + "/report.html"), page);
-  // A new run takes the place of the page as well.
+}
+
+TEST_F(Report, ANewRunTakesThePlaceOfPageFiguresAndAnalysis) {
   const std::string scene = folder_->path("scene.toml"), again = folder_->path("again");
   ASSERT_EQ(program::dem({"run", scene, "--out", again, "--quiet"}).exit_code, 0);
+  ASSERT_EQ(program::dem({"report", again, "--what", "energy,velocity", "--quiet"}).exit_code, 0);
+  const auto there = [&](const char* name) { return std::filesystem::exists(again + "/" + name); };
+  EXPECT_TRUE(there("report.html") && there("analysis/energy_series.csv") && there("report_figures"));
+  folder_->write("again/analysis/notes.txt", "the user's own");
+  folder_->write("again/report_figures/mine.gp", "plot sin(x)\n");
+  ASSERT_EQ(program::dem({"run", scene, "--out", again, "--quiet", "--force"}).exit_code, 0);
+  EXPECT_FALSE(there("report.html"));
+  std::vector<std::string> left;
+  for (const char* name : {"/analysis", "/report_figures"})
+    for (const auto& entry : std::filesystem::directory_iterator(again + name))
+      left.push_back(entry.path().filename().string());
+  EXPECT_EQ(left, (std::vector<std::string>{"notes.txt", "mine.gp"}));
+  for (const char* name : {"/analysis/notes.txt", "/report_figures/mine.gp"}) std::filesystem::remove(again + name);
+  std::filesystem::remove(again + "/analysis");
+  std::filesystem::remove(again + "/report_figures");
   ASSERT_EQ(program::dem({"report", again, "--what", "energy", "--quiet"}).exit_code, 0);
   ASSERT_EQ(program::dem({"run", scene, "--out", again, "--quiet", "--force"}).exit_code, 0);
-  EXPECT_FALSE(std::filesystem::exists(again + "/report.html"));
+  EXPECT_FALSE(there("analysis") || there("report_figures"));
 }
 
 TEST_F(Report, WhatTheViewReads) {
