@@ -221,7 +221,7 @@ void add_report(CLI::App& app, ReportArguments& a) {
       app, "report", "One page of a run: figures, numbers, and its bodies to turn.",
       "  dem report out/hopper\n"
       "  dem report out/hopper --frames ::5 --what density,coordination --out hopper.html\n"
-      "The analysis in DIR/analysis is used as it is, and made anew where it is missing, older than "
+      "The analysis is used as it is, and made anew where it is missing, older than "
       "the run, or\n"
       "an option of it (--frames to --reference) is given. The page needs no other file and no network. Figures need "
       "gnuplot, the view libjs-three.");
@@ -230,6 +230,8 @@ void add_report(CLI::App& app, ReportArguments& a) {
                   "The page (default: DIR/report.html, or FILE_report.html); its figures go beside it into "
                   "FILE_figures")
       ->type_name("FILE.html");
+  sub->add_option("--analysis", a.analyse.out, "Folder of the analysis (default: DIR/analysis, or FILE_analysis)")
+      ->type_name("DIR");
   add_analyse_options(sub, a.analyse.options);
   sub->add_option("--bodies", a.max_bodies,
                   "About as many in the view at most; of more one in k, spread over their ids")
