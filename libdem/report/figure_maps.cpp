@@ -178,9 +178,51 @@ void add_flow_maps(FigureList& to) {
             column_field(*layer, "density", "granular_temperature", "Granular temperature in boxes", "m²/s²"));
 }
 
+namespace {
+
+// A point for each body, coloured by the density of its cell; of space those about the middle.
+void add_local_density(FigureList& to, const std::string& quantity) {
+  const ListedTable* t = to.table(quantity, "cells");
+  const std::string file = t == nullptr ? "" : to.last_file(*t);
+  if (file.empty()) return;
+  const io::Table rows = to.rows(file);
+  std::array<std::vector<double>, 3> x;
+  std::array<double, 3> low{}, extent{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    x[k] = numbers(rows, axes[k]);
+    const auto [least, most] = std::minmax_element(x[k].begin(), x[k].end());
+    low[k] = *least;
+    extent[k] = *most - *least;
+  }
+  const std::size_t across = extent[2] > 0 ? shorter_side(extent) : 2, u = across == 0 ? 1 : 0, v = across == 2 ? 1 : 2;
+  if (!(extent[u] > 0 && extent[v] > 0)) return;
+  const std::vector<double> density = numbers(rows, "local_density");
+  const double edge = std::cbrt(quantile(numbers(rows, "cell_volume"), 0.5)), middle = quantile(x[across], 0.5);
+  const bool all = extent[across] <= 1.5 * edge;
+  double shown = 0;
+  for (const double at : x[across]) shown += all || std::abs(at - middle) < 0.5 * edge ? 1 : 0;
+  const double apart = std::sqrt(extent[u] * extent[v] / shown), pixels = 480 / std::max(extent[u], 1.4 * extent[v]);
+  const std::string in = all ? "1" : fmt::format("abs(column('{}') - ({})) < {}", axes[across], middle, 0.5 * edge);
+  to.add(quantity + "_map",
+         (quantity == "voronoi" ? "Local density, of radical cells" : "Local density, of set-Voronoi cells") +
+             (all ? "" : fmt::format(", of bodies about {} = {:.3g} m", axes[across], middle)),
+         frame_of(axes[u], axes[v], low[u] - apart, low[u] + extent[u] + apart, low[v] - apart,
+                  low[v] + extent[v] + apart) +
+             sequential +
+             fmt::format(
+                 "set cbrange [{:.3g}:{:.3g}]\nset title 'local density' offset 0,-0.5\n"
+                 "plot {} using ({} ? column('{}') : NaN):'{}':'local_density' with points pt 7 ps {:.2g} lc palette "
+                 "notitle\n",
+                 quantile(density, 0.05), quantile(density, 0.98), to.quoted(file), in, axes[u], axes[v],
+                 std::clamp(apart * pixels / 14, 0.3, 2.5)));
+}
+
+}  // namespace
+
 void add_packing_maps(FigureList& to) {
   if (const std::optional<Layer> layer = layer_of(to, "density"))
     add_field(to, *layer, column_field(*layer, "density", "solid_fraction", "Packing density in boxes", "1"));
+  add_local_density(to, to.table("set_voronoi", "cells") != nullptr ? "set_voronoi" : "voronoi");
 }
 
 void add_stress_maps(FigureList& to) {

@@ -7,7 +7,7 @@
 namespace dem::report {
 
 void add_flow_maps(FigureList& to);         // speed with arrows, granular temperature
-void add_packing_maps(FigureList& to);      // packing density of boxes, of Voronoi cells
+void add_packing_maps(FigureList& to);      // packing density of boxes, local density of Voronoi cells
 void add_stress_maps(FigureList& to);       // pressure, deviator
 void add_deformation_maps(FigureList& to);  // bands of shear, change of volume, rotation
 void add_force_network(FigureList& to);     // lines by force over mean

@@ -83,11 +83,11 @@ TEST_P(ReportFigures, OfAWholeAnalysis) {
   const std::vector<Figure> figures = report::figures_of(listing, {"..", "..", folder.path()});
   const std::set<std::string> names = names_of(figures);
   EXPECT_EQ(names.size(), figures.size());  // each name once
-  for (const char* name :
-       {"series_energy_translational", "rdf", "density_envelope", "density_map_solid_fraction",
-        "coordination_distribution", "forces_network", "forces_normal", "rose_xy", "series_fabric_fabric_deviator",
-        "series_stress_stress_xx", "stress_map_pressure", "series_walls_left_side_normal_force", "walls_height",
-        "discharge", "density_map_speed", "series_mixing_lacey", "displacement_map_shear_strain", "repose_surface"})
+  for (const char* name : {"series_energy_translational", "rdf", "density_envelope", "density_map_solid_fraction",
+                           "coordination_distribution", "forces_network", "forces_normal", "rose_xy",
+                           "series_fabric_fabric_deviator", "series_stress_stress_xx", "stress_map_pressure",
+                           "series_walls_left_side_normal_force", "walls_height", "discharge", "density_map_speed",
+                           "series_mixing_lacey", "displacement_map_shear_strain", "repose_surface", "voronoi_map"})
     EXPECT_TRUE(names.count(name)) << name;
   EXPECT_EQ(names.count("rose_sphere"), dimension == 3 ? 1u : 0u);
   EXPECT_FALSE(names.count("series_flow_discharge_rate"));  // nothing leaves: zero throughout
