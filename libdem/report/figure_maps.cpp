@@ -197,6 +197,7 @@ void add_local_density(FigureList& to, const std::string& quantity) {
   const std::size_t across = extent[2] > 0 ? shorter_side(extent) : 2, u = across == 0 ? 1 : 0, v = across == 2 ? 1 : 2;
   if (!(extent[u] > 0 && extent[v] > 0)) return;
   const std::vector<double> density = numbers(rows, "local_density");
+  const double least = quantile(density, 0.05), most = quantile(density, 0.98);
   const double edge = std::cbrt(quantile(numbers(rows, "cell_volume"), 0.5)), middle = quantile(x[across], 0.5);
   const bool all = extent[across] <= 1.5 * edge;
   double shown = 0;
@@ -213,7 +214,7 @@ void add_local_density(FigureList& to, const std::string& quantity) {
                  "set cbrange [{:.3g}:{:.3g}]\nset title 'local density' offset 0,-0.5\n"
                  "plot {} using ({} ? column('{}') : NaN):'{}':'local_density' with points pt 7 ps {:.2g} lc palette "
                  "notitle\n",
-                 quantile(density, 0.05), quantile(density, 0.98), to.quoted(file), in, axes[u], axes[v],
+                 least, most > least ? most : least + 1, to.quoted(file), in, axes[u], axes[v],
                  std::clamp(apart * pixels / 14, 0.3, 2.5)));
 }
 
