@@ -79,7 +79,7 @@ void FigureList::add_table(const std::string& quantity, const std::string& table
     if (!t->unit_of(line.column).empty()) plots.push_back(plot(file, x, line));
   if (plots.empty()) return;
   const std::string name = table_name.empty() ? quantity : quantity + "_" + table_name;
-  add(name, t->title.empty() ? words(name) : t->title,
+  add(name, (t->title.empty() ? words(name) : t->title) + when(file),
       fmt::format("set xlabel {}\nset ylabel {}\n{}{}", axis_label(x, t->unit_of(x)),
                   axis_label(y, t->unit_of(lines[0].column)), settings, joined_plots(plots)));
 }
@@ -92,6 +92,13 @@ const ListedTable* FigureList::table(const std::string& quantity, const std::str
 std::string FigureList::last_file(const ListedTable& t) const {
   for (auto at = t.files.rbegin(); at != t.files.rend(); ++at)
     if (has_rows((fs::path(listing_.folder) / *at).string())) return *at;
+  return "";
+}
+
+std::string FigureList::when(const std::string& file) const {
+  for (const Frame& f : listing_.frames)
+    if (&f != &listing_.frames.back() && file.ends_with(fmt::format("_{:012}.csv", f.step)))
+      return fmt::format(", at t = {:.4g} s", f.time);
   return "";
 }
 

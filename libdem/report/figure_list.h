@@ -31,6 +31,7 @@ class FigureList {
   const Listing& listing() const { return listing_; }
   const ListedTable* table(const std::string& quantity, const std::string& name) const;  // null: none
   std::string last_file(const ListedTable& table) const;  // the last that has rows; empty: none
+  std::string when(const std::string& file) const;        // ", at t = …" where it is not of the last frame
   std::string quoted(const std::string& file) const;      // its path, as scripts take it
   io::Table rows(const std::string& file) const;
   std::vector<Figure> take() { return std::move(list_); }

@@ -123,6 +123,12 @@ std::vector<double> shown(const Layer& layer, const std::vector<double>& values)
   return list;
 }
 
+// As many marks on the key as it is long.
+std::string key_marks(const Layer& layer, double range) {
+  const double wide = layer.upper[layer.u] - layer.lower[layer.u], tall = layer.upper[layer.v] - layer.lower[layer.v];
+  return fmt::format("set cbtics {}\n", marks(range, std::clamp(9 * tall / wide, 2.0, 6.0)));
+}
+
 void add_field(FigureList& to, const Layer& layer, const Field& f) {
   std::vector<double> list = shown(layer, f.values);
   if (list.size() < 2) return;
@@ -132,10 +138,11 @@ void add_field(FigureList& to, const Layer& layer, const Field& f) {
   const std::string colours = f.has_sign ? fmt::format("{}set cbrange [{}:{}]\n", diverging, -top, top)
                                          : fmt::format("{}set cbrange [{}:{}]\n", sequential, std::min(low, 0.0), top);
   to.add(
-      f.name, f.title + layer.where(),
+      f.name, f.title + layer.where() + to.when(layer.file),
       frame_of(axes[layer.u], axes[layer.v], layer.lower[layer.u], layer.upper[layer.u], layer.lower[layer.v],
                layer.upper[layer.v]) +
-          colours + fmt::format("set title {} offset 0,-0.5\n", axis_label(f.label, f.unit)) + f.before +
+          colours + key_marks(layer, f.has_sign ? 2 * top : top - std::min(low, 0.0)) +
+          fmt::format("set title {} offset 0,-0.5\n", axis_label(f.label, f.unit)) + f.before +
           fmt::format("plot {} using ({} ? column('{}') : NaN):'{}':({}):({}):({}) with boxxyerror fs solid noborder "
                       "lc palette notitle{}\n",
                       to.quoted(layer.file), layer.condition(), axes[layer.u], axes[layer.v],
@@ -206,7 +213,7 @@ void add_local_density(FigureList& to, const std::string& quantity) {
   const std::string in = all ? "1" : fmt::format("abs(column('{}') - ({})) < {}", axes[across], middle, 0.5 * edge);
   to.add(quantity + "_map",
          (quantity == "voronoi" ? "Local density, of radical cells" : "Local density, of set-Voronoi cells") +
-             (all ? "" : fmt::format(", of bodies about {} = {:.3g} m", axes[across], middle)),
+             (all ? "" : fmt::format(", of bodies about {} = {:.3g} m", axes[across], middle)) + to.when(file),
          frame_of(axes[u], axes[v], low[u] - apart, low[u] + extent[u] + apart, low[v] - apart,
                   low[v] + extent[v] + apart) +
              sequential +
@@ -294,8 +301,9 @@ void add_force_network(FigureList& to) {
   const double edge = reach;
   to.add(
       "forces_network",
-      all ? "Force network: normal forces over their mean"
-          : fmt::format("Force network about {} = {:.3g} m: normal forces over their mean", axes[across], middle),
+      (all ? "Force network: normal forces over their mean"
+           : fmt::format("Force network about {} = {:.3g} m: normal forces over their mean", axes[across], middle)) +
+          to.when(file),
       frame_of(axes[u], axes[v], low[u] - edge, high[u] + edge, low[v] - edge, high[v] + edge) + joined_plots(plots));
 }
 
@@ -323,7 +331,7 @@ void add_free_surface(FigureList& to) {
     along = k;
   }
   if (along == 3) return;
-  to.add("repose_surface", t->title,
+  to.add("repose_surface", t->title + to.when(file),
          fmt::format("set xlabel '{0} (m)'\nset ylabel 'height (m)'\nset size ratio -1\nset yrange [0:*]\n"
                      "plot {1} using '{0}':'height' with points pt 7 ps 0.6 notitle\n",
                      axes[along], to.quoted(file)));
@@ -333,7 +341,9 @@ void add_directions(FigureList& to) {
   const ListedTable* t = to.table("rose", "sphere");
   const std::string file = t == nullptr ? "" : to.last_file(*t);
   if (file.empty()) return;
-  to.add("rose_sphere", "Contact normals in space: half sphere seen along z, areas kept; contacts per solid angle",
+  to.add("rose_sphere",
+         std::string("Contact normals in space: half sphere seen along z, areas kept; contacts per solid angle") +
+             to.when(file),
          fmt::format(
              "set size ratio -1\nset xrange [-1.1:1.1]\nset yrange [-1.1:1.1]\nset xlabel 'x'\nset ylabel 'y'\n"
              "unset grid\nunset tics\nset cbtics\nset border 0\nset parametric\nset trange [0:2*pi]\n{0}"

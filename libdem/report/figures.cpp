@@ -23,7 +23,7 @@ void add_envelope(FigureList& to) {
   const ListedTable* t = to.table("density", "envelope");
   const std::string file = t == nullptr ? "" : to.last_file(*t);
   if (file.empty()) return;
-  to.add("density_envelope", t->title,
+  to.add("density_envelope", t->title + to.when(file),
          fmt::format("set xlabel {0}\nset ylabel 'packing density'\n"
                      "plot {1} using 'box_edge':'least':'greatest' with filledcurves fs solid 0.15 lc 1 "
                      "title 'least to greatest', \\\n"
@@ -42,7 +42,7 @@ void add_rose(FigureList& to, const std::string& plane) {
   for (const char* column : {"density", "force_density"})
     for (const double v : numbers(rows, column)) rim = std::max(rim, std::isfinite(v) ? v : 0);
   if (!(rim > 0)) return;
-  to.add("rose_" + plane, t->title,
+  to.add("rose_" + plane, t->title + to.when(file),
          fmt::format("set polar\nset angles radians\nunset border\nunset xtics\nunset ytics\nunset raxis\n"
                      "set rtics {3}\nset format r ''\nset grid polar 30\nset size square\nset rrange [0:{4}]\n"
                      "set tmargin at screen 0.84\nset bmargin at screen 0.06\n"
@@ -73,7 +73,7 @@ void add_wall_profiles(FigureList& to) {
     const std::string file = t.name.starts_with("height_") ? to.last_file(t) : "";
     if (!file.empty())
       plots.push_back(fmt::format("{} using 'pressure':'height' with linespoints pt 7 ps 0.5 lw 1.5 title {}",
-                                  to.quoted(file), io::gnuplot_quoted(words(t.name.substr(7)))));
+                                  to.quoted(file), io::gnuplot_quoted(words(t.name.substr(7)) + to.when(file))));
   }
   if (plots.empty()) return;
   to.add("walls_height", "Pressure on the walls over height",
