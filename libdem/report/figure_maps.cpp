@@ -126,7 +126,7 @@ std::vector<double> shown(const Layer& layer, const std::vector<double>& values)
 // As many marks on the key as it is long.
 std::string key_marks(const Layer& layer, double range) {
   const double wide = layer.upper[layer.u] - layer.lower[layer.u], tall = layer.upper[layer.v] - layer.lower[layer.v];
-  return fmt::format("set cbtics {}\n", marks(range, std::clamp(9 * tall / wide, 2.0, 6.0)));
+  return fmt::format("set cbtics {}\n", marks(range, std::clamp(9 * tall / wide, 3.0, 6.0)));
 }
 
 void add_field(FigureList& to, const Layer& layer, const Field& f) {
