@@ -309,7 +309,8 @@ void add_force_network(FigureList& to) {
 
 void add_free_surface(FigureList& to) {
   const ListedTable* t = to.table("repose", "surface");
-  const std::string file = t == nullptr ? "" : to.last_file(*t);
+  if (t == nullptr) return;
+  const std::string file = to.last_file(*t);
   if (file.empty()) return;
   const io::Table rows = to.rows(file);
   const std::vector<double> height = numbers(rows, "height");

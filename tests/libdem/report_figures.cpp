@@ -23,7 +23,7 @@ using report::Figure;
 Snapshot sheared(int dimension, int frame) {
   Snapshot s = sets::thrown(dimension == 2 ? 150 : 400, false, 3, dimension);
   s.gravity = dimension == 2 ? Vec3d{0, -9.81, 0} : Vec3d{0, 0, -9.81};
-  s.step = static_cast<std::uint64_t>(100 * frame);
+  s.step = 100 * static_cast<std::uint64_t>(frame);
   s.time = 0.1 * frame;
   s.walls.resize(1);
   s.walls[0].name = "left side";
