@@ -55,7 +55,7 @@ void FigureList::add_series(const std::string& quantity, const std::vector<std::
   std::string unit, first;
   for (const std::string& name : names) {
     const ListedScalar* s = q->scalar(name);
-    if (s == nullptr || s->frames < 2 || (s->constant && *s->last == 0)) continue;
+    if (s == nullptr || s->frames < 2 || (s->constant && s->last.value_or(0) == 0)) continue;
     if (plots.empty()) {
       unit = s->unit;
       first = name;

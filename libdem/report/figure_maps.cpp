@@ -47,11 +47,13 @@ struct Layer {
   std::array<double, 3> width{}, lower{}, upper{};  // of a box; of all; m
   std::optional<double> at;                         // place of the layer where there are several
   std::vector<bool> in;                             // rows of the layer that hold bodies
-  bool fitted = false;                              // and, of strains, as many as span the space
+  bool fitted = false;                              // of strains
+  int fewest = 1;                                   // bodies of a box that is shown
   std::string where() const { return at ? fmt::format(", layer at {} = {:.3g} m", axes[across], *at) : ""; }
   // Condition on a row, for gnuplot.
   std::string condition() const {
-    std::string text = fitted ? "column('bodies') > 0 && column('strain_fitted') > 0" : "column('bodies') > 0";
+    std::string text = fmt::format("column('bodies') >= {}", fewest);
+    if (fitted) text += " && column('strain_fitted') > 0";
     if (at) text += fmt::format(" && abs(column('{}') - ({})) < {}", axes[across], *at, 0.5 * width[across]);
     return text;
   }
@@ -81,9 +83,10 @@ std::optional<Layer> layer_of(const FigureList& list, const std::string& quantit
   if (levels[layer.across].size() > 1) layer.at = levels[layer.across][levels[layer.across].size() / 2];
   const std::vector<double> bodies = numbers(layer.rows, "bodies"), place = numbers(layer.rows, axes[layer.across]);
   layer.fitted = !t->unit_of("strain_fitted").empty();
+  if (layer.fitted) layer.fewest = t->unit_of("curl_x").empty() ? 6 : 8;  // twice what spans
   const std::vector<double> fitted = layer.fitted ? numbers(layer.rows, "strain_fitted") : bodies;
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    layer.in.push_back(bodies[i] > 0 && fitted[i] > 0 &&
+    layer.in.push_back(bodies[i] >= layer.fewest && fitted[i] > 0 &&
                        (!layer.at || std::abs(place[i] - *layer.at) < 0.5 * layer.width[layer.across]));
   return layer;
 }
@@ -124,8 +127,7 @@ std::vector<double> shown(const Layer& layer, const std::vector<double>& values)
 }
 
 // As many marks on the key as it is long.
-std::string key_marks(const Layer& layer, double range) {
-  const double wide = layer.upper[layer.u] - layer.lower[layer.u], tall = layer.upper[layer.v] - layer.lower[layer.v];
+std::string key_marks(double range, double wide, double tall) {
   return fmt::format("set cbtics {}\n", marks(range, std::clamp(9 * tall / wide, 3.0, 6.0)));
 }
 
@@ -141,7 +143,9 @@ void add_field(FigureList& to, const Layer& layer, const Field& f) {
       f.name, f.title + layer.where() + to.when(layer.file),
       frame_of(axes[layer.u], axes[layer.v], layer.lower[layer.u], layer.upper[layer.u], layer.lower[layer.v],
                layer.upper[layer.v]) +
-          colours + key_marks(layer, f.has_sign ? 2 * top : top - std::min(low, 0.0)) +
+          colours +
+          key_marks(f.has_sign ? 2 * top : top - std::min(low, 0.0), layer.upper[layer.u] - layer.lower[layer.u],
+                    layer.upper[layer.v] - layer.lower[layer.v]) +
           fmt::format("set title {} offset 0,-0.5\n", axis_label(f.label, f.unit)) + f.before +
           fmt::format("plot {} using ({} ? column('{}') : NaN):'{}':({}):({}):({}) with boxxyerror fs solid noborder "
                       "lc palette notitle{}\n",
@@ -190,7 +194,8 @@ namespace {
 // A point for each body, coloured by the density of its cell; of space those about the middle.
 void add_local_density(FigureList& to, const std::string& quantity) {
   const ListedTable* t = to.table(quantity, "cells");
-  const std::string file = t == nullptr ? "" : to.last_file(*t);
+  if (t == nullptr) return;
+  const std::string file = to.last_file(*t);
   if (file.empty()) return;
   const io::Table rows = to.rows(file);
   std::array<std::vector<double>, 3> x;
@@ -216,7 +221,7 @@ void add_local_density(FigureList& to, const std::string& quantity) {
              (all ? "" : fmt::format(", of bodies about {} = {:.3g} m", axes[across], middle)) + to.when(file),
          frame_of(axes[u], axes[v], low[u] - apart, low[u] + extent[u] + apart, low[v] - apart,
                   low[v] + extent[v] + apart) +
-             sequential +
+             sequential + key_marks(most > least ? most - least : 1, extent[u], extent[v]) +
              fmt::format(
                  "set cbrange [{:.3g}:{:.3g}]\nset title 'local density' offset 0,-0.5\n"
                  "plot {} using ({} ? column('{}') : NaN):'{}':'local_density' with points pt 7 ps {:.2g} lc palette "
@@ -256,7 +261,8 @@ void add_deformation_maps(FigureList& to) {
 
 void add_force_network(FigureList& to) {
   const ListedTable* t = to.table("forces", "network");
-  const std::string file = t == nullptr ? "" : to.last_file(*t);
+  if (t == nullptr) return;
+  const std::string file = to.last_file(*t);
   if (file.empty()) return;
   const io::Table rows = to.rows(file);
   std::array<std::vector<double>, 3> from, end;
@@ -340,7 +346,8 @@ void add_free_surface(FigureList& to) {
 
 void add_directions(FigureList& to) {
   const ListedTable* t = to.table("rose", "sphere");
-  const std::string file = t == nullptr ? "" : to.last_file(*t);
+  if (t == nullptr) return;
+  const std::string file = to.last_file(*t);
   if (file.empty()) return;
   to.add("rose_sphere",
          std::string("Contact normals in space: half sphere seen along z, areas kept; contacts per solid angle") +

@@ -21,7 +21,8 @@ constexpr const char* dots = "linespoints pt 7 ps 0.35 lw 1.5";
 // Mean with its standard deviation and the range, over the size of the boxes.
 void add_envelope(FigureList& to) {
   const ListedTable* t = to.table("density", "envelope");
-  const std::string file = t == nullptr ? "" : to.last_file(*t);
+  if (t == nullptr) return;
+  const std::string file = to.last_file(*t);
   if (file.empty()) return;
   to.add("density_envelope", t->title + to.when(file),
          fmt::format("set xlabel {0}\nset ylabel 'packing density'\n"
@@ -35,7 +36,8 @@ void add_envelope(FigureList& to) {
 // Closed curves in polar coordinates, by number and by force.
 void add_rose(FigureList& to, const std::string& plane) {
   const ListedTable* t = to.table("rose", plane);
-  const std::string file = t == nullptr ? "" : to.last_file(*t);
+  if (t == nullptr) return;
+  const std::string file = to.last_file(*t);
   if (file.empty()) return;
   const io::Table rows = to.rows(file);
   double rim = 0;
@@ -90,7 +92,8 @@ void add_discharge(FigureList& to, const Folders& folders) {
 
 void add_residence(FigureList& to) {
   const ListedTable* t = to.table("flow", "residence");
-  const std::string file = t == nullptr ? "" : to.last_file(*t);
+  if (t == nullptr) return;
+  const std::string file = to.last_file(*t);
   if (file.empty()) return;
   to.add("flow_residence", "Bodies that have left, by how long they were seen",
          fmt::format("set xlabel 'time of stay (s)'\nset ylabel 'bodies that left sooner'\n"
