@@ -135,7 +135,8 @@ void add_field(FigureList& to, const Layer& layer, const Field& f) {
   std::vector<double> list = shown(layer, f.values);
   if (list.size() < 2) return;
   for (double& v : list) v = f.has_sign ? std::abs(v) : v;
-  const double top = quantile(list, 0.98), low = quantile(list, 0);
+  // Strains of few boxes may be anything.
+  const double top = quantile(list, layer.fitted ? 0.9 : 0.98), low = quantile(list, 0);
   if (!(top > (f.has_sign ? 0 : std::min(low, 0.0)))) return;  // zero everywhere
   const std::string colours = f.has_sign ? fmt::format("{}set cbrange [{}:{}]\n", diverging, -top, top)
                                          : fmt::format("{}set cbrange [{}:{}]\n", sequential, std::min(low, 0.0), top);
