@@ -39,8 +39,9 @@ Result report_energy(const Snapshot& s, const Settings&) {
   if (s.elastic)
     r.add("elastic", "J", *s.elastic);
   else
-    r.notes.emplace_back(
-        "energy stored in contacts and lost by mechanism: from a run under way alone ([analysis] in the scene)");
+    r.notes.emplace_back("energy stored in contacts: not in the source");
+  if (s.dissipated.empty())
+    r.notes.emplace_back("energy lost by mechanism: of a run under way with law.ledger ([analysis] in the scene)");
   for (std::size_t m = 0; m < s.dissipated.size(); ++m)
     r.add(std::string("lost_") + contact::mechanism_names[m], "J", s.dissipated[m]);
   return r;

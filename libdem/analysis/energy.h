@@ -1,9 +1,10 @@
-// Energy of the bodies, and of a run under way that of their contacts.
+// Energy of the bodies, and of a run and its record that of their contacts.
 //   translational Σ ½ m v², rotational Σ ½ ω·I ω, potential −Σ m g·x                                              (1)
-// A snapshot of a running world (in-run analysis) also has what contacts store and, with law.ledger, what they have
-// lost up to now by mechanism; a record has not: then a run's summary.json has the former at its end. Velocities in a
-// deforming box are those beside its flow (libdem/cell.h). Where gravity has a part along a periodic axis the potential
-// energy jumps as a body is wrapped. Cost: linear. Accuracy: round-off. Tests: tests/libdem/analysis_energy.cpp.
+//   elastic: what contacts store, as the laws have it (report.cpp of libdem), from what a record keeps of each; with a
+//   ledger (law.ledger) a running world (in-run analysis) also has what they have lost up to now by mechanism
+// Velocities in a deforming box are those beside its flow (libdem/cell.h). Where gravity has a part along a periodic
+// axis the potential energy jumps as a body is wrapped. Cost: linear. Accuracy: round-off. Tests:
+// tests/libdem/analysis_energy.cpp.
 #pragma once
 
 #include "libdem/analysis/result.h"

@@ -8,7 +8,9 @@
 #include <optional>
 
 #include "libdem/analysis/read_lammps.h"
+#include "libdem/build.h"
 #include "libdem/io/io.h"
+#include "libdem/law_map.h"
 
 namespace dem::analysis {
 
@@ -33,6 +35,17 @@ auto as_input(const Read& read) {
   }
 }
 
+// What the contacts of a frame store follows from what the record keeps of them.
+Snapshot snapshot_of_frame(const World& world) {
+  Snapshot s = snapshot_of(world);
+  const Contacts& c = world.contacts;
+  if (c.count() == 0 || c.words == record_words(world))
+    s.elastic = energies(world).elastic;
+  else
+    s.notes.emplace_back("the record has no memory of contacts: what they store is not known");
+  return s;
+}
+
 Frames frames_of_record(const fs::path& record, const std::shared_ptr<World>& world) {
   const std::string path = record.string();
   const auto count = static_cast<std::size_t>(as_input([&] { return io::frame_count(path); }));
@@ -41,7 +54,7 @@ Frames frames_of_record(const fs::path& record, const std::shared_ptr<World>& wo
               io::load_frame(path, *world, static_cast<int>(frame));
               return 0;
             });
-            return snapshot_of(*world);
+            return snapshot_of_frame(*world);
           }};
 }
 

@@ -57,7 +57,7 @@ Groups slabs_along(const Snapshot& s, const Snapshot& reference, const Vec3d& ax
     high = i == 0 ? x : std::max(high, x);
   }
   for (int k = 0; k < count; ++k)
-    g.names.push_back(fmt::format("{} {:.6g} to {:.6g} m", name, low + (high - low) * k / count,
+    g.names.push_back(fmt::format("{} {:.4g} to {:.4g} m", name, low + (high - low) * k / count,
                                   low + (high - low) * (k + 1) / count));
   for (const std::uint32_t at : places_in(s, reference)) {
     if (at == Groups::none) {

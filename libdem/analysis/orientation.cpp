@@ -79,8 +79,9 @@ void add_walls(Result& r, const Snapshot& s) {
       r.notes.push_back(fmt::format("wall {}: alignment along meshes and polygons is not measured", wall.name));
       continue;
     }
-    Table t = table_of("wall_" + wall.name, "Mean P2 of body axis and normal of " + wall.name + " by distance",
-                       {{"distance", "m"}, {"bodies", "1"}, {"p2", "1"}});
+    Table t =
+        table_of("wall_" + file_word(wall.name), "Mean P2 of body axis and normal of " + wall.name + " by distance",
+                 {{"distance", "m"}, {"bodies", "1"}, {"p2", "1"}});
     for (const WallAlignment& a : wall_alignment(s, wall, radius, 10 * radius)) add_row(t, a.distance, a.bodies, a.p2);
     r.tables.push_back(std::move(t));
   }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "libdem/analysis/table.h"
 #include "libdem/analysis/wall_planes.h"
 
 namespace dem::analysis {
@@ -144,8 +145,8 @@ Result report_porosity(const Snapshot& s, const Settings& settings) {
       deepest = std::max(deepest, depth_of(s.position[i], planes) + s.bounding_radius[i]);
     const double slabs = std::clamp(std::ceil(10 * deepest / diameter), 1.0, 100.0);  // up to ten diameters
     const PorosityProfile p = porosity_from(s, shares, region, planes, diameter / 10, static_cast<std::size_t>(slabs));
-    r.tables.push_back(
-        table_of("wall_" + wall.name, "Porosity over the distance from wall " + wall.name, "distance", 0, p));
+    r.tables.push_back(table_of("wall_" + file_word(wall.name), "Porosity over the distance from wall " + wall.name,
+                                "distance", 0, p));
   }
   r.add("porosity", "1", 1 - solid / space);
   return r;

@@ -115,11 +115,32 @@ FreeSurface free_surface_of(const Snapshot& s, const Settings& settings) {
     }
     f.ridge = periodic(f.across);
   }
+  // Squares fill the extent of the centres, so that none is a sliver along a wall.
+  const auto place_of = [&](std::size_t i) {
+    const Vec3d x = s.position[i] - f.middle;
+    return std::array<double, 2>{dot(x, f.along), dot(x, f.across)};
+  };
+  std::array<double, 2> low{}, high{};
+  bool first = true;
+  for (std::size_t i = 0; i < s.count(); ++i) {
+    if (counted[i] == 0) continue;
+    const std::array<double, 2> place = place_of(i);
+    for (std::size_t k = 0; k < 2; ++k) {
+      low[k] = first ? place[k] : std::min(low[k], place[k]);
+      high[k] = first ? place[k] : std::max(high[k], place[k]);
+    }
+    first = false;
+  }
   std::map<std::array<long, 2>, std::size_t> top;  // by square
   for (std::size_t i = 0; i < s.count(); ++i) {
     if (counted[i] == 0) continue;
-    const Vec3d x = s.position[i] - f.middle;
-    const std::array<long, 2> square{std::lround(dot(x, f.along) / f.width), std::lround(dot(x, f.across) / f.width)};
+    const std::array<double, 2> place = place_of(i);
+    std::array<long, 2> square{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double count = std::max(1.0, std::floor((high[k] - low[k]) / f.width));
+      const double at = high[k] > low[k] ? (place[k] - low[k]) / (high[k] - low[k]) : 0;
+      square[k] = std::lround(std::min(std::floor(at * count), count - 1));
+    }
     const double height = dot(s.position[i], f.up) + s.bounding_radius[i];
     const auto [at, fresh] = top.try_emplace(square, i);
     if (!fresh && height > dot(s.position[at->second], f.up) + s.bounding_radius[at->second]) at->second = i;
@@ -166,6 +187,52 @@ Repose repose_of(const FreeSurface& f) {
   return result;
 }
 
+std::optional<Tilt> tilt_of(const FreeSurface& f) {
+  struct Place {
+    double u, v, h;
+  };
+  std::vector<Place> all;
+  double low[2]{}, high[2]{};
+  for (const SurfacePoint& p : f.points) {
+    all.push_back({dot(p.place - f.middle, f.along), dot(p.place - f.middle, f.across), p.height});
+    for (int k = 0; k < 2; ++k) {
+      const double x = k == 0 ? all.back().u : all.back().v;
+      low[k] = all.size() == 1 ? x : std::min(low[k], x);
+      high[k] = all.size() == 1 ? x : std::max(high[k], x);
+    }
+  }
+  const int widest = high[1] - low[1] > high[0] - low[0] ? 1 : 0;
+  const double middle = 0.5 * (low[widest] + high[widest]), half = 0.25 * (high[widest] - low[widest]);
+  std::erase_if(all, [&](const Place& p) { return std::abs((widest == 0 ? p.u : p.v) - middle) > half; });
+  if (all.size() <= fewest) return {};
+  const auto n = static_cast<double>(all.size());
+  Place mean{};
+  for (const Place& p : all) mean = {mean.u + p.u / n, mean.v + p.v / n, mean.h + p.h / n};
+  double uu = 0, uv = 0, vv = 0, uh = 0, vh = 0;
+  for (Place& p : all) {
+    p = {p.u - mean.u, p.v - mean.v, p.h - mean.h};
+    uu += p.u * p.u;
+    uv += p.u * p.v;
+    vv += p.v * p.v;
+    uh += p.u * p.h;
+    vh += p.v * p.h;
+  }
+  // One square across, or the plane: a line along the other axis.
+  const bool line = !(uu * vv - uv * uv > 1e-6 * uu * vv) || !(std::min(uu, vv) > 1e-6 * std::max(uu, vv));
+  if (line) {
+    (widest == 0 ? vv : uu) = 1;
+    (widest == 0 ? vh : uh) = 0;
+    uv = 0;
+  }
+  const double determinant = uu * vv - uv * uv;
+  const double a = (uh * vv - vh * uv) / determinant, b = (vh * uu - uh * uv) / determinant, steep = std::hypot(a, b);
+  double left = 0;
+  for (const Place& p : all) left += (p.h - a * p.u - b * p.v) * (p.h - a * p.u - b * p.v);
+  const double eu = steep > 0 ? a / steep : 1, ev = steep > 0 ? b / steep : 0;
+  const double spread = (eu * eu * vv - 2 * eu * ev * uv + ev * ev * uu) / determinant;
+  return Tilt{std::atan(steep), std::sqrt(left / (n - (line ? 2 : 3)) * spread) / (1 + steep * steep), all.size()};
+}
+
 Result report_repose(const Snapshot& s, const Settings& settings) {
   Result r;
   if (s.count() == 0) {
@@ -178,6 +245,10 @@ Result report_repose(const Snapshot& s, const Settings& settings) {
   r.add("height", "m", found.height);
   r.add("sides", "1", static_cast<double>(found.slopes.size()));
   if (found.angle) r.scalars.push_back({"angle_of_repose", "degree", *found.angle * 180 / pi, found.error * 180 / pi});
+  if (const std::optional<Tilt> tilt = tilt_of(f)) {
+    r.scalars.push_back({"surface_tilt", "degree", tilt->angle * 180 / pi, tilt->error * 180 / pi});
+    r.notes.emplace_back("surface_tilt: of one plane through the middle half of the surface, as of a bed in a drum");
+  }
   r.notes.push_back(fmt::format(
       "angle of repose: least squares over surface squares {:.4g} m wide between 20 and 80 % of the height, mean of {} "
       "of {} sides; error from the fits and the scatter of the sides",

@@ -1,7 +1,8 @@
 // Angle of repose of a heap, and its free surface.
 //
-//   surface  h: top of the highest body in each square of side w, two mean diameters (in the plane: each stretch),
-//            above the base and at that body's place; squares without bodies have none                             (1)
+//   surface  h: top of the highest body in each square, above the base and at that body's place; squares without
+//            bodies have none. They are w = two mean diameters wide or a little more, so that they fill the extent of
+//            the centres and none is a sliver along a wall; in the plane stretches                                 (1)
 //   slope    on each side of the heap h = a − b r over the squares with 0.2 H < h < 0.8 H by least squares, r the
 //            horizontal distance from the middle of mass, H the highest; that leaves out apex and toe              (2)
 //   angle_k = atan b;  error_k = s_b/(1 + b²), s_b the standard error of b                                         (3)
@@ -10,9 +11,11 @@
 // A side with fewer than four squares, or that rises outwards, is left out and said: a heap against a wall has the
 // others alone. Bodies without any contact are left out where contacts are known (they fly).
 // A body reaches up by its bounding radius: too much where it is not round, but alike on the whole slope.
+// A bed in a drum or a tray has no top: its surface is one plane, h = c + g·r by least squares over the squares in the
+// middle half of its widest extent, tilt = atan |g|, error = s_g/(1 + |g|²) along the slope                      (5)
 // Base: the plane or line of that name, the lowest below the bodies that looks up, or the lowest point of the bodies.
-// Cost: O(bodies log bodies). Accuracy: that of (4). Validity: heaps that have one top and straight sides. Tests:
-// tests/libdem/analysis_repose.cpp.
+// Cost: O(bodies log bodies). Accuracy: that of (4), (5). Validity: heaps that have one top and straight sides; tilts
+// of flat surfaces. Tests: tests/libdem/analysis_repose.cpp.
 #pragma once
 
 #include <optional>
@@ -49,6 +52,12 @@ struct Repose {
   double error = 0;             // rad
 };
 Repose repose_of(const FreeSurface& surface);
+
+struct Tilt {
+  double angle = 0, error = 0;  // rad
+  std::size_t points = 0;
+};
+std::optional<Tilt> tilt_of(const FreeSurface& surface);  // (5); nothing of fewer than five squares
 
 Result report_repose(const Snapshot& snapshot, const Settings& settings);
 

@@ -26,4 +26,14 @@ void add_row(Table& table, Number... values) {
   (table.columns[k++].values.push_back(static_cast<double>(values)), ...);
 }
 
+// A name of the user's as part of a file's or a column's: what is no letter, digit, dot or minus becomes an underscore.
+inline std::string file_word(std::string name) {
+  for (char& c : name) {
+    const bool plain =
+        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-';
+    if (!plain) c = '_';
+  }
+  return name;
+}
+
 }  // namespace dem::analysis

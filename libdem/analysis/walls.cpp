@@ -7,6 +7,7 @@
 
 #include "libdem/analysis/grid.h"
 #include "libdem/analysis/table.h"
+#include "libdem/analysis/wall_profile.h"
 #include "libdem/mesh_triangles.h"
 
 namespace dem::analysis {
@@ -14,23 +15,6 @@ namespace dem::analysis {
 namespace {
 
 using shapes::Kind;
-
-struct Range {
-  double low = 0, high = 0;
-  double width() const { return high - low; }
-};
-
-// The box around the region along x and y of a wall's frame, about its position.
-std::array<Range, 2> seen_from(const SnapshotWall& wall, const Domain& region) {
-  std::array<Range, 2> range;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const Vec3d e = rotation_matrix(wall.orientation).column(static_cast<int>(axis));
-    double middle = dot(e, (region.lower + region.upper) * 0.5 - wall.position), half = 0;
-    for (int k = 0; k < 3; ++k) half += 0.5 * std::abs(e[k]) * (region.upper[k] - region.lower[k]);
-    range[axis] = {middle - half, middle + half};
-  }
-  return range;
-}
 
 std::vector<WallPatch> sides_of(const Snapshot& s, const SnapshotWall& wall) {
   const shapes::Polygon& p = *wall.polygon;
@@ -67,7 +51,7 @@ std::vector<WallPatch> triangles_of(const SnapshotWall& wall) {
   return list;
 }
 
-std::vector<WallPatch> squares_on(const Snapshot& s, const SnapshotWall& wall, const std::array<Range, 2>& range,
+std::vector<WallPatch> squares_on(const Snapshot& s, const SnapshotWall& wall, const std::array<Extent, 2>& range,
                                   const std::array<int, 2>& squares) {
   std::vector<WallPatch> list;
   const double du = range[0].width() / squares[0], dv = range[1].width() / squares[1];
@@ -82,7 +66,8 @@ std::vector<WallPatch> squares_on(const Snapshot& s, const SnapshotWall& wall, c
   return list;
 }
 
-std::size_t square_at(const std::array<Range, 2>& range, const std::array<int, 2>& squares, bool line, const Vec3d& x) {
+std::size_t square_at(const std::array<Extent, 2>& range, const std::array<int, 2>& squares, bool line,
+                      const Vec3d& x) {
   const auto along = [&](std::size_t axis, double value) {
     const double place = std::floor((value - range[axis].low) / range[axis].width() * squares[axis]);
     return static_cast<std::size_t>(std::clamp(place, 0.0, squares[axis] - 1.0));
@@ -93,6 +78,17 @@ std::size_t square_at(const std::array<Range, 2>& range, const std::array<int, 2
 }
 
 }  // namespace
+
+std::array<Extent, 2> seen_from(const SnapshotWall& wall, const Domain& region) {
+  std::array<Extent, 2> range;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const Vec3d e = rotation_matrix(wall.orientation).column(static_cast<int>(axis));
+    double middle = dot(e, (region.lower + region.upper) * 0.5 - wall.position), half = 0;
+    for (int k = 0; k < 3; ++k) half += 0.5 * std::abs(e[k]) * (region.upper[k] - region.lower[k]);
+    range[axis] = {middle - half, middle + half};
+  }
+  return range;
+}
 
 std::vector<WallForce> wall_forces(const Snapshot& s) {
   std::vector<WallForce> list(s.walls.size());
@@ -108,8 +104,8 @@ std::vector<WallForce> wall_forces(const Snapshot& s) {
 }
 
 std::array<int, 2> squares_of(const Snapshot& s, std::size_t wall, const Domain& region, double side) {
-  const std::array<Range, 2> range = seen_from(s.walls[wall], region);
-  const auto count = [side](const Range& r) {
+  const std::array<Extent, 2> range = seen_from(s.walls[wall], region);
+  const auto count = [side](const Extent& r) {
     return side > 0 ? static_cast<int>(std::clamp(std::round(r.width() / side), 1.0, 256.0)) : 1;
   };
   return {count(range[0]), s.walls[wall].kind == Kind::line ? 1 : count(range[1])};
@@ -118,7 +114,7 @@ std::array<int, 2> squares_of(const Snapshot& s, std::size_t wall, const Domain&
 std::vector<WallPatch> wall_map(const Snapshot& s, std::size_t place, const Domain& region,
                                 const std::array<int, 2>& squares) {
   const SnapshotWall& wall = s.walls[place];
-  const std::array<Range, 2> range = seen_from(wall, region);
+  const std::array<Extent, 2> range = seen_from(wall, region);
   const bool outline = wall.polygon != nullptr, mesh = !outline && wall.mesh != nullptr;
   std::vector<WallPatch> map = outline ? sides_of(s, wall)
                                : mesh  ? triangles_of(wall)
@@ -158,14 +154,15 @@ Result report_walls(const Snapshot& s, const Settings& settings) {
       continue;
     }
     const WallForce& w = forces[k];
-    r.add(wall.name + "_contacts", "1", static_cast<double>(w.contacts));
-    for (int i = 0; i < s.dimension; ++i) r.add(wall.name + "_force_" + "xyz"[i], "N", w.force[i]);
-    for (int i = s.dimension == 2 ? 2 : 0; i < 3; ++i) r.add(wall.name + "_torque_" + "xyz"[i], "N m", w.torque[i]);
-    r.add(wall.name + "_normal_force", "N", w.pressing);
+    const std::string word = file_word(wall.name);
+    r.add(word + "_contacts", "1", static_cast<double>(w.contacts));
+    for (int i = 0; i < s.dimension; ++i) r.add(word + "_force_" + "xyz"[i], "N", w.force[i]);
+    for (int i = s.dimension == 2 ? 2 : 0; i < 3; ++i) r.add(word + "_torque_" + "xyz"[i], "N m", w.torque[i]);
+    r.add(word + "_normal_force", "N", w.pressing);
     std::array<int, 2> squares = squares_of(s, k, region, 4 * diameter);
     for (std::size_t i = 0; i < 2; ++i)
       if (settings.boxes[i] > 0 && (i == 0 || wall.kind != Kind::line)) squares[i] = settings.boxes[i];
-    Table t = table_of("map_" + wall.name, "Pressure of bodies on " + wall.name + " now",
+    Table t = table_of("map_" + word, "Pressure of bodies on " + wall.name + " now",
                        {{"x", "m"},
                         {"y", "m"},
                         {"z", "m"},
@@ -186,13 +183,15 @@ Result report_walls(const Snapshot& s, const Settings& settings) {
               norm(p.tangential) / p.area);
     }
     if (area > 0) {
-      r.add(wall.name + "_pressure", "Pa", w.pressing / area);
-      r.add(wall.name + "_largest_pressure", "Pa", largest);
+      r.add(word + "_pressure", "Pa", w.pressing / area);
+      r.add(word + "_largest_pressure", "Pa", largest);
     }
     if (std::abs(mapped - w.pressing) > 1e-9 * std::abs(w.pressing))
       r.notes.push_back(
           fmt::format("wall {}: some contacts are of no facet of its mesh and not in the map", wall.name));
     r.tables.push_back(std::move(t));
+    if (Table profile = profile_table(s, k, region, 2 * diameter); !profile.columns[0].values.empty())
+      r.tables.push_back(std::move(profile));
   }
   if (s.periodic[0] || s.periodic[1] || s.periodic[2])
     r.notes.emplace_back("torques: of the bodies where they stand in the cell, not of their images");

@@ -8,8 +8,9 @@
 // those which bear nothing are there too; points beyond count with the outermost. A is the mesh's area, the polygon's
 // outline times the thickness, of planes and lines the area of all squares.
 // Torques are those of the forces: couples that contacts bear (rolling, twist of a patch) are not in a snapshot, but in
-// walls.csv of a run. Means over time: walls.csv and pressure_map of a run. Cost: O(wall contacts), of meshes times the
-// triangles per facet. Accuracy: round-off. Tests: tests/libdem/analysis_walls.cpp.
+// walls.csv of a run. Pressure over height: wall_profile.h. Means over time: walls.csv and pressure_map of a run. Cost:
+// O(wall contacts), of meshes times the triangles per facet. Accuracy: round-off. Tests:
+// tests/libdem/analysis_walls.cpp.
 #pragma once
 
 #include "libdem/analysis/pairs.h"
@@ -24,6 +25,13 @@ struct WallForce {
 };
 // One per wall; those that are not present bear nothing.
 std::vector<WallForce> wall_forces(const Snapshot& snapshot);
+
+struct Extent {
+  double low = 0, high = 0;  // m
+  double width() const { return high - low; }
+};
+// The box around the region along x and y of a wall's frame, about its position.
+std::array<Extent, 2> seen_from(const SnapshotWall& wall, const Domain& region);
 
 struct WallPatch {
   Vec3d centre{};               // world, m

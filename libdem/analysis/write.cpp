@@ -65,6 +65,13 @@ bool is_ours(const std::string& name) {
          });
 }
 
+void remove_files_of_analysis(const fs::path& folder) {
+  std::vector<fs::path> doomed;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file() && is_ours(entry.path().filename().string())) doomed.push_back(entry.path());
+  for (const fs::path& p : doomed) fs::remove(p);
+}
+
 void add_note(QuantitySeries& series, const std::string& text, std::uint64_t step) {
   for (QuantitySeries::Note& n : series.notes)
     if (n.text == text) {
@@ -329,11 +336,16 @@ void prepare_folder(const std::string& folder) {
     throw InputError(fmt::format("{}: cannot make this folder{}", folder, failed ? ": " + failed.message() : ""));
   if (!fs::is_empty(path) && (!fs::exists(listing) || fs::exists(path / "scene.toml")))
     throw InputError(folder + ": is not empty and holds no analysis; choose another --out");
-  std::vector<fs::path> doomed;
-  for (const auto& entry : fs::directory_iterator(path))
-    if (entry.is_regular_file() && is_ours(entry.path().filename().string())) doomed.push_back(entry.path());
-  for (const fs::path& p : doomed) fs::remove(p);
+  remove_files_of_analysis(path);
   io::write_file(listing.string(), "{\"complete\": false}\n");
+}
+
+void clear_analysis(const std::string& folder) {
+  const fs::path path(folder), listing = path / "analysis.json";
+  if (!fs::is_regular_file(listing)) return;
+  remove_files_of_analysis(path);
+  fs::remove(listing);
+  if (fs::is_empty(path)) fs::remove(path);
 }
 
 }  // namespace dem::analysis

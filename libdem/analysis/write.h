@@ -89,5 +89,7 @@ class Writer {
 // Makes the folder ready: a new or empty one, or that of an earlier analysis, whose files go. Until the new one is
 // complete its analysis.json says that it is not. Throws InputError, and changes nothing, where it holds anything else.
 void prepare_folder(const std::string& folder);
+// Removes the files of an analysis, and the folder where it holds nothing else. No analysis there: nothing.
+void clear_analysis(const std::string& folder);
 
 }  // namespace dem::analysis

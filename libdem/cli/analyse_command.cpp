@@ -38,8 +38,13 @@ std::vector<const Quantity*> asked(const std::vector<std::string>& what) {
   return list;
 }
 
-analysis::Settings settings_of(const AnalyseArguments& a) {
+analysis::Settings settings_of(const AnalyseOptions& a) {
   analysis::Settings s;
+  if (!a.boxes.empty() && a.boxes.size() != 2 && a.boxes.size() != 3)
+    throw InputError(
+        fmt::format("--boxes: {} number{}; allowed two or three", a.boxes.size(), a.boxes.size() == 1 ? "" : "s"));
+  for (const int n : a.boxes)
+    if (n < 0) throw InputError(fmt::format("--boxes {}: allowed from 0", n));
   for (std::size_t k = 0; k < a.boxes.size(); ++k) s.boxes[k] = a.boxes[k];
   if (a.region.size() == 6)
     s.region = analysis::Domain{{a.region[0], a.region[1], a.region[2]}, {a.region[3], a.region[4], a.region[5]}};
@@ -63,7 +68,7 @@ analysis::Settings settings_of(const AnalyseArguments& a) {
 }
 
 // What a frame of a region in space cannot be asked of the plane, and the other way round.
-void check_region(const AnalyseArguments& a, const analysis::Snapshot& s) {
+void check_region(const AnalyseOptions& a, const analysis::Snapshot& s) {
   if (!a.region.empty() && (a.region.size() == 6) != (s.dimension == 3))
     throw InputError(fmt::format("--region: {} numbers; allowed {} in {}", a.region.size(), s.dimension == 3 ? 6 : 4,
                                  s.dimension == 3 ? "space" : "the plane"));
@@ -133,14 +138,14 @@ std::string folder_of(const AnalyseArguments& a) {
 }
 
 int analyse_command(const AnalyseArguments& a) {
-  const std::vector<const Quantity*> what = asked(a.what);
-  analysis::Settings settings = settings_of(a);
+  const std::vector<const Quantity*> what = asked(a.options.what);
+  analysis::Settings settings = settings_of(a.options);
   if (a.threads > 0) omp_set_num_threads(a.threads);
   const analysis::Frames frames = analysis::open_frames(a.source, {a.density, a.time_step, a.contact_gap});
-  const std::vector<std::size_t> list = select_frames(a.frames, frames);
+  const std::vector<std::size_t> list = select_frames(a.options.frames, frames);
   analysis::Snapshot reference, before;
-  if (a.reference || frames.count > 1) {
-    const auto count = static_cast<long>(frames.count), at = a.reference.value_or(0);
+  if (a.options.reference || frames.count > 1) {
+    const auto count = static_cast<long>(frames.count), at = a.options.reference.value_or(0);
     const long place = at < 0 ? at + count : at;
     if (place < 0 || place >= count)
       throw InputError(fmt::format("--reference {}: {} has frames 0 to {}", at, frames.source, count - 1));
@@ -149,7 +154,7 @@ int analyse_command(const AnalyseArguments& a) {
   }
   const std::string folder = folder_of(a);
   analysis::Snapshot now = frames.read(list[0]);  // bad input ends here, nothing written
-  check_region(a, now);
+  check_region(a.options, now);
   analysis::prepare_folder(folder);
   analysis::Writer writer(folder, frames.source, what, list.size() == 1);
   WorkProgress progress(list.size() * what.size(), a.quiet);

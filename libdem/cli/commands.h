@@ -52,14 +52,14 @@ int law_command(const LawArguments& arguments);
 
 struct RenderArguments {
   std::string folder, color_by = "speed";
-  std::optional<int> frame;
+  std::optional<int> frame, reference;
   bool movie = false;
   int width = 1200, height = 900;
 };
 int render_command(const RenderArguments& arguments);
 
-struct AnalyseArguments {
-  std::string source, frames, out;
+struct AnalyseOptions {
+  std::string frames;
   std::vector<std::string> what;  // names, "all"; empty: all that are not costly
   std::vector<int> boxes;         // two or three
   std::vector<double> region;     // lower and upper corner, four or six numbers
@@ -67,6 +67,11 @@ struct AnalyseArguments {
   int bins = 36, rdf_bins = 200, voronoi_points = 0;
   double rdf_range = 0, strong_force = 1;
   std::optional<long> reference;
+  friend bool operator==(const AnalyseOptions&, const AnalyseOptions&) = default;
+};
+struct AnalyseArguments {
+  std::string source, out;
+  AnalyseOptions options;
   double density = 0, time_step = 0, contact_gap = 0;  // of files of other codes
   int threads = 0;
   bool quiet = false;   // no progress, no table of results

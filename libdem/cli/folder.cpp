@@ -6,6 +6,9 @@
 #include <regex>
 #include <vector>
 
+#include "libdem/analysis/write.h"
+#include "libdem/report/figures.h"
+
 namespace dem::cli {
 
 namespace fs = std::filesystem;
@@ -47,6 +50,12 @@ void clear_folder(const std::string& folder) {
       if (const auto end = entry.path().extension(); end == ".vtp" || end == ".part") doomed.push_back(entry.path());
   for (const fs::path& path : doomed) fs::remove(path);
   if (fs::is_directory(frames) && fs::is_empty(frames)) fs::remove(frames);
+  analysis::clear_analysis((fs::path(folder) / "analysis").string());
+  const fs::path figures = fs::path(folder) / "report_figures";
+  if (!fs::is_directory(figures)) return;
+  report::remove_figures(figures.string());
+  fs::remove(figures / "still.png");
+  if (fs::is_empty(figures)) fs::remove(figures);
 }
 
 Scene scene_of_run(const std::string& folder) {

@@ -1,5 +1,6 @@
 // The dem program: reads the command line and hands over to a command. The only source file that includes CLI11.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -7,9 +8,11 @@
 #include <cstdlib>
 #include <exception>
 
+#include "libdem/analysis/body_colours.h"
 #include "libdem/analysis/group_words.h"
 #include "libdem/cli/commands.h"
 #include "libdem/io/io.h"
+#include "libdem/render/render.h"
 #include "shapes/polyhedron_build.h"
 
 namespace {
@@ -120,48 +123,50 @@ void add_law(CLI::App& app, LawArguments& a) {
       ->excludes(plot);
 }
 
+std::string colours_text() {
+  const auto joined = [](const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); };
+  return joined(dem::render::color_names()) +
+         ";\nbands fixed at the reference frame, deformation since then, and rates: " +
+         joined(dem::analysis::body_colour_words()) + ".";
+}
+
 void add_render(CLI::App& app, RenderArguments& a, std::string& size) {
   CLI::App* sub = command(app, "render", "Draw a run, without a display.",
                           "  dem render out/hopper\n"
                           "  dem render out/hopper --frame 10 --color-by shape --size 1920x1080\n"
-                          "  dem render out/hopper --movie");
+                          "  dem render out/hopper --movie --colour layers --reference 12\n"
+                          "Colours: " +
+                              colours_text());
   sub->add_option("folder", a.folder, "Folder of the run")->required()->type_name("DIR");
   auto* frame = sub->add_option("--frame", a.frame, "A frame of the record, from 0 (default: the last state)");
-  sub->add_option("--color-by", a.color_by, "speed, id, shape, size, material, species or force")
+  sub->add_option("--color-by,--colour", a.color_by, "What colours show, see below")
+      ->type_name("WORD")
       ->capture_default_str();
+  sub->add_option("--reference", a.reference,
+                  "Frame that bands and deformation refer to; negative from the end (default: 0)")
+      ->type_name("FRAME");
   sub->add_flag("--movie", a.movie, "All frames as a movie (ffmpeg), or as numbered pictures")->excludes(frame);
   sub->add_option("--size", size, "Width x height in pixels")->capture_default_str()->type_name("WxH");
 }
 
-void add_analyse(CLI::App& app, AnalyseArguments& a) {
-  CLI::App* sub = command(
-      app, "analyse", "What the bodies of a run, or of another code, do together: packing, contacts, stress, flow, …",
-      "  dem analyse out/hopper\n"
-      "  dem analyse out/hopper --frames 10:: --what coordination,stress --boxes 8,8,12\n"
-      "  dem analyse out/hopper --frames -1 --what all --out out/last\n"
-      "  dem analyse dump.granular --time-step 1e-6 --density 2500\n"
-      "dem list quantities shows what there is. Results are CSV files and analysis.json, units first.\n"
-      "Exit code 2: bad input.");
-  sub->add_option("source", a.source,
-                  "Folder of a run, its record.h5, a LAMMPS or LIGGGHTS text dump, or a .csv file of bodies")
-      ->required()
-      ->type_name("DIR|FILE");
+// A list with commas in one argument: what comes after it is not taken for more of it.
+CLI::Option* one_list(CLI::Option* option) {
+  return option->delimiter(',')->expected(1)->allow_extra_args(false)->multi_option_policy(
+      CLI::MultiOptionPolicy::TakeAll);
+}
+
+// What an analysis is asked for.
+void add_analyse_options(CLI::App* sub, AnalyseOptions& a) {
   sub->add_option("--frames", a.frames,
                   "From frame A up to, not including, B, each S-th; negative from the end; A alone: one frame "
                   "(default: all)")
       ->type_name("A:B:S");
-  sub->add_option("--what", a.what, "Quantities, with commas; all: costly ones too (default: all that are not costly)")
-      ->delimiter(',')
+  one_list(sub->add_option("--what", a.what,
+                           "Quantities, with commas; all: costly ones too (default: all that are not costly)"))
       ->type_name("LIST|all");
-  sub->add_option("--out", a.out, "Folder for the results (default: DIR/analysis, or FILE_analysis)")->type_name("DIR");
-  sub->add_option("--boxes", a.boxes, "Boxes along x, y, z; 0: about four mean diameters each (the default)")
-      ->delimiter(',')
-      ->expected(2, 3)
-      ->check(CLI::NonNegativeNumber)
+  one_list(sub->add_option("--boxes", a.boxes, "Boxes along x, y, z; 0: about four mean diameters each (the default)"))
       ->type_name("NX,NY,NZ");
-  sub->add_option("--region", a.region, "Where to look (default: the cell, or what bodies and walls span), m")
-      ->delimiter(',')
-      ->expected(4, 6)
+  one_list(sub->add_option("--region", a.region, "Where to look (default: the cell, or what bodies and walls span), m"))
       ->type_name("X0,Y0,Z0,X1,Y1,Z1");
   sub->add_option("--bins", a.bins, "Of histograms, and of roses over the full circle")
       ->check(CLI::Range(1, 100000))
@@ -181,39 +186,58 @@ void add_analyse(CLI::App& app, AnalyseArguments& a) {
   sub->add_option("--reference", a.reference,
                   "Frame that displacements, bands and mixing refer to; negative from the end (default: 0)")
       ->type_name("FRAME");
+}
+
+void add_foreign_options(CLI::App* sub, AnalyseArguments& a) {
   sub->add_option("--density", a.density, "Of other codes' bodies without mass, kg/m^3")->check(CLI::PositiveNumber);
   sub->add_option("--time-step", a.time_step, "Of other codes' dumps that count steps, s")->check(CLI::PositiveNumber);
   sub->add_option("--contact-gap", a.contact_gap,
                   "Spheres of other codes touch up to a gap of this share of the sum of their radii (default: 0)")
       ->check(CLI::Range(0.0, 1.0));
+}
+
+void add_analyse(CLI::App& app, AnalyseArguments& a) {
+  CLI::App* sub = command(
+      app, "analyse", "What the bodies of a run, or of another code, do together: packing, contacts, stress, flow, …",
+      "  dem analyse out/hopper\n"
+      "  dem analyse out/hopper --frames 10:: --what coordination,stress --boxes 8,8,12\n"
+      "  dem analyse out/hopper --frames -1 --what all --out out/last\n"
+      "  dem analyse dump.granular --time-step 1e-6 --density 2500\n"
+      "dem list quantities shows what there is. Results are CSV files and analysis.json, units first.\n"
+      "Exit code 2: bad input.");
+  sub->add_option("source", a.source,
+                  "Folder of a run, its record.h5, a LAMMPS or LIGGGHTS text dump, or a .csv file of bodies")
+      ->required()
+      ->type_name("DIR|FILE");
+  add_analyse_options(sub, a.options);
+  sub->add_option("--out", a.out, "Folder for the results (default: DIR/analysis, or FILE_analysis)")->type_name("DIR");
+  add_foreign_options(sub, a);
   sub->add_flag("--quiet", a.quiet, "No progress, no table of results");
   add_threads(sub, a.threads);
 }
 
 void add_report(CLI::App& app, ReportArguments& a) {
-  CLI::App* sub =
-      command(app, "report", "One page of a run: figures, numbers, and its bodies to turn.",
-              "  dem report out/hopper\n"
-              "  dem report out/hopper --frames ::5 --what density,coordination --out hopper.html\n"
-              "The analysis in DIR/analysis is used as it is, and made anew where it is missing, older than "
-              "the run, or\n"
-              "--frames or --what is given. The page needs no other file and no network. Figures need "
-              "gnuplot, the view libjs-three.");
+  CLI::App* sub = command(
+      app, "report", "One page of a run: figures, numbers, and its bodies to turn.",
+      "  dem report out/hopper\n"
+      "  dem report out/hopper --frames ::5 --what density,coordination --out hopper.html\n"
+      "The analysis is used as it is, and made anew where it is missing, older than "
+      "the run, or\n"
+      "an option of it (--frames to --reference) is given. The page needs no other file and no network. Figures need "
+      "gnuplot, the view libjs-three.");
   sub->add_option("source", a.analyse.source, "As of dem analyse")->required()->type_name("DIR|FILE");
   sub->add_option("--out", a.page,
                   "The page (default: DIR/report.html, or FILE_report.html); its figures go beside it into "
                   "FILE_figures")
       ->type_name("FILE.html");
-  sub->add_option("--frames", a.analyse.frames, "As of dem analyse")->type_name("A:B:S");
-  sub->add_option("--what", a.analyse.what, "As of dem analyse")->delimiter(',')->type_name("LIST|all");
+  sub->add_option("--analysis", a.analyse.out, "Folder of the analysis (default: DIR/analysis, or FILE_analysis)")
+      ->type_name("DIR");
+  add_analyse_options(sub, a.analyse.options);
   sub->add_option("--bodies", a.max_bodies,
                   "About as many in the view at most; of more one in k, spread over their ids")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  sub->add_option("--density", a.analyse.density, "Of other codes' bodies without mass, kg/m^3")
-      ->check(CLI::PositiveNumber);
-  sub->add_option("--time-step", a.analyse.time_step, "Of other codes' dumps that count steps, s")
-      ->check(CLI::PositiveNumber);
+  add_foreign_options(sub, a.analyse);
   sub->add_flag("--quiet", a.analyse.quiet, "No progress");
   add_threads(sub, a.analyse.threads);
 }

@@ -2,13 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <utility>
 
+#include "libdem/analysis/body_colours.h"
 #include "libdem/cli/commands.h"
 #include "libdem/cli/folder.h"
 #include "libdem/io/io.h"
@@ -55,10 +56,52 @@ class Movie {
   FILE* pipe_ = nullptr;
 };
 
-// One box and one colour range for the whole movie, so that nothing jumps.
-void fix_view(render::View& view, World& world, const std::string& record, int frames) {
+// Colours that an analysis gives: bands and deformation since a reference frame, rates.
+class Colours {
+ public:
+  Colours(const RenderArguments& arguments, const std::string& record) : word_(arguments.color_by) {
+    const auto& words = analysis::body_colour_words();
+    analysed_ = std::find(words.begin(), words.end(), word_) != words.end();
+    std::vector<std::string> all = render::color_names();
+    if (!analysed_ && std::find(all.begin(), all.end(), word_) == all.end()) {
+      all.insert(all.end(), words.begin(), words.end());
+      throw InputError(fmt::format("--color-by {}: allowed {}{}", word_, fmt::join(all, ", "), suggestion(word_, all)));
+    }
+    if (arguments.reference && !(analysed_ && analysis::needs_reference(word_)))
+      throw InputError(fmt::format("--reference: colours by {} refer to no other frame", word_));
+    if (!analysed_ || !analysis::needs_reference(word_)) return;
+    if (!fs::exists(record))
+      throw InputError(record + ": the run kept no record (output.hdf5), so there is no frame to refer to");
+    const int frames = io::frame_count(record), asked = arguments.reference.value_or(0);
+    const int frame = asked < 0 ? asked + frames : asked;
+    if (frame < 0 || frame >= frames)
+      throw InputError(fmt::format("--reference {}: the record has frames 0 to {}", asked, frames - 1));
+    World world = build_world(scene_of_run(arguments.folder));
+    io::load_frame(record, world, frame);
+    reference_ = analysis::snapshot_of(world);
+  }
+
+  void set(render::View& view, const World& world) const {
+    if (!analysed_) return;
+    analysis::BodyColours c = analysis::body_colours(analysis::snapshot_of(world), word_,
+                                                     analysis::needs_reference(word_) ? &reference_ : nullptr);
+    view.colouring = render::Colouring{std::move(c.label), std::move(c.names), std::move(c.values)};
+  }
+
+  bool analysed() const { return analysed_; }
+
+ private:
+  std::string word_;
+  bool analysed_ = false;
+  analysis::Snapshot reference_;
+};
+
+// One box and one colour range for the whole movie, so that nothing jumps. Of what an analysis gives without the
+// highest 4 %: single bodies may have any strain.
+void fix_view(render::View& view, World& world, const std::string& record, int frames, const Colours& colours) {
   io::Box box = render::picture_box(world);
   render::Range range{0, 0};
+  std::vector<double> values;
   for (int k = 0; k < frames; ++k) {
     io::load_frame(record, world, k);
     const io::Box now = render::picture_box(world);
@@ -66,21 +109,38 @@ void fix_view(render::View& view, World& world, const std::string& record, int f
       box.lower[i] = std::min(box.lower[i], now.lower[i]);
       box.upper[i] = std::max(box.upper[i], now.upper[i]);
     }
+    colours.set(view, world);
     const render::Picture picture = render::picture_of(world, view);
-    for (const render::Body& b : picture.bodies) range.upper = std::max(range.upper, b.value);
+    for (const render::Body& b : picture.bodies) {
+      if (!std::isfinite(b.value)) continue;
+      range.lower = std::min(range.lower, b.value);
+      range.upper = std::max(range.upper, b.value);
+      if (colours.analysed()) values.push_back(b.value);
+    }
+  }
+  if (!values.empty()) {
+    const auto share = [&](std::size_t hundredths) {
+      const auto at = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * hundredths / 100);
+      std::nth_element(values.begin(), at, values.end());
+      return *at;
+    };
+    if (const double high = share(96); high > 0) range.upper = high;
+    if (range.lower < 0) range.lower = std::min(share(4), 0.0);
   }
   view.box = box;
   if (range.upper > range.lower) view.range = range;
 }
 
-int movie(const RenderArguments& arguments, World& world, render::View view, const std::string& record) {
+int movie(const RenderArguments& arguments, World& world, render::View view, const std::string& record,
+          const Colours& colours) {
   const int frames = io::frame_count(record);
-  fix_view(view, world, record, frames);
+  fix_view(view, world, record, frames, colours);
   const std::string path = arguments.folder + "/movie.mp4";
   if (io::installed("ffmpeg")) {
     Movie out(path, view);
     for (int k = 0; k < frames; ++k) {
       io::load_frame(record, world, k);
+      colours.set(view, world);
       out.add(render::draw(world, view));
     }
     out.close();
@@ -89,6 +149,7 @@ int movie(const RenderArguments& arguments, World& world, render::View view, con
   }
   for (int k = 0; k < frames; ++k) {
     io::load_frame(record, world, k);
+    colours.set(view, world);
     render::write_png(fmt::format("{}/frame-{:05}.png", arguments.folder, k), render::draw(world, view));
   }
   fmt::print("{}/frame-00000.png … frame-{:05}.png\n", arguments.folder, frames - 1);
@@ -102,19 +163,16 @@ int movie(const RenderArguments& arguments, World& world, render::View view, con
 
 int render_command(const RenderArguments& arguments) {
   if (!render::available()) throw RunError("this program was built without Embree: no pictures");
-  const auto& colors = render::color_names();
-  if (std::find(colors.begin(), colors.end(), arguments.color_by) == colors.end())
-    throw InputError(fmt::format("--color-by {}: allowed {}{}", arguments.color_by, fmt::join(colors, ", "),
-                                 suggestion(arguments.color_by, colors)));
+  const std::string record = arguments.folder + "/record.h5";
+  const Colours colours(arguments, record);
   World world = build_world(scene_of_run(arguments.folder));
   render::View view;
   view.width = arguments.width;
   view.height = arguments.height;
   view.color_by = arguments.color_by;
-  const std::string record = arguments.folder + "/record.h5";
   if ((arguments.movie || arguments.frame) && !fs::exists(record))
     throw InputError(record + ": the run kept no record (output.hdf5), only its last state can be drawn");
-  if (arguments.movie) return movie(arguments, world, view, record);
+  if (arguments.movie) return movie(arguments, world, view, record, colours);
   std::string name = "final.png";
   if (arguments.frame) {
     const int frames = io::frame_count(record);
@@ -125,6 +183,7 @@ int render_command(const RenderArguments& arguments) {
   } else if (const auto checkpoint = io::read_last_checkpoint(arguments.folder)) {
     load_state(world, checkpoint->state);
   }
+  colours.set(view, world);
   const std::string path = arguments.folder + "/" + name;
   render::write_png(path, render::draw(world, view));
   fmt::print("{}\n", path);

@@ -68,8 +68,9 @@ int report_command(const ReportArguments& a) {
   input.max_bodies = static_cast<std::size_t>(a.max_bodies);
   const analysis::Frames frames =
       analysis::open_frames(a.analyse.source, {a.analyse.density, a.analyse.time_step, a.analyse.contact_gap});
-  const bool asked = !a.analyse.frames.empty() || !a.analyse.what.empty();
-  if (asked || !stands(input.analysis, frames.source)) {
+  if (const auto asked = a.analyse.options.reference)
+    input.reference = analysis::select_frames(fmt::format("{}", *asked), frames)[0];
+  if (!(a.analyse.options == AnalyseOptions{}) || !stands(input.analysis, frames.source)) {
     AnalyseArguments analyse = a.analyse;
     analyse.silent = true;
     analyse_command(analyse);

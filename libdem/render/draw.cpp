@@ -123,8 +123,10 @@ class Painter {
   Color body_color(const Ray& ray, const BodyHit& hit, const Spread& spread) const {
     const Body& body = picture_.bodies[hit.body];
     const double span = range_.upper - range_.lower;
-    const Color base = picture_.names.empty() ? sequential(span > 0 ? (body.value - range_.lower) / span : 0.5)
-                                              : categorical(static_cast<std::size_t>(body.value));
+    const bool known = std::isfinite(body.value);
+    const Color base = !known                   ? from_srgb(0.6, 0.6, 0.6)
+                       : picture_.names.empty() ? sequential(span > 0 ? (body.value - range_.lower) / span : 0.5)
+                                                : categorical(static_cast<std::size_t>(body.value));
     const Vec3d normal = dot(hit.normal, ray.direction) > 0 ? -hit.normal : hit.normal;
     return lit(base, ray, hit.distance, normal, spread, body.polyhedron != nullptr ? 0.4f * gloss : gloss);
   }

@@ -71,10 +71,12 @@ const std::vector<std::string>& color_names() {
 
 Picture picture_of(const World& world, const View& view) {
   const auto& known = color_names();
-  if (std::find(known.begin(), known.end(), view.color_by) == known.end())
+  if (!view.colouring && std::find(known.begin(), known.end(), view.color_by) == known.end())
     throw RunError(fmt::format("unknown colour '{}'; known: {}", view.color_by, fmt::join(known, ", ")));
-  const std::string& by = view.color_by;
+  const std::string by = view.colouring ? "" : view.color_by;
   const Particles& p = world.particles;
+  if (view.colouring && view.colouring->values.size() != p.count())
+    throw RunError("colours of a picture: not as many as there are bodies");
   Picture picture;
   const double g = norm(world.scene.gravity);
   if (world.scene.dimension == 2) picture.up = {0, 1, 0};
@@ -98,10 +100,16 @@ Picture picture_of(const World& world, const View& view) {
                   : by == "size"  ? "diameter (m)"
                   : by == "force" ? "contact forces (N)"
                                   : by;
+  if (view.colouring) {
+    picture.names = view.colouring->names;
+    picture.label = view.colouring->label;
+  }
   const std::vector<double> load = by == "force" ? contact_load(world) : std::vector<double>{};
+  std::size_t place = 0;
   for (const std::uint32_t i : order_by_id(world)) {
     const ShapeEntry& shape = world.shapes[p.shape[i]];
-    const double value = by == "speed"      ? norm(p.motion[i].velocity)
+    const double value = view.colouring     ? view.colouring->values[place++]
+                         : by == "speed"    ? norm(p.motion[i].velocity)
                          : by == "id"       ? static_cast<double>(p.id[i])
                          : by == "shape"    ? static_cast<double>(place_in_scene(world.scene, shape.family))
                          : by == "size"     ? 2 * p.motion[i].equivalent_radius

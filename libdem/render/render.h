@@ -17,7 +17,14 @@ struct Body {  // what a picture needs of a particle; read from a World or from 
   Vec3d size;                            // as Particles::size
   Vec3d position;
   Quatd orientation;
-  double value;  // colour-by value
+  double value;  // colour-by value; not a number: it has none, and is grey
+};
+
+// Colours from elsewhere: of the bodies in order of their ids. As Picture has them.
+struct Colouring {
+  std::string label;
+  std::vector<std::string> names;
+  std::vector<double> values;
 };
 
 struct Image {
@@ -31,7 +38,8 @@ struct Range {
 
 struct View {
   int width = 1200, height = 900;
-  std::string color_by = "speed";  // speed | id | shape | size | material | species | force
+  std::string color_by = "speed";      // speed | id | shape | size | material | species | force
+  std::optional<Colouring> colouring;  // instead of color_by
   bool legend = true;
   std::optional<io::Box> box;  // what must be in the picture; default: picture_box (a movie keeps one for all frames)
   std::optional<Range> range;  // of the colours; default: of the values, without the highest 4 %

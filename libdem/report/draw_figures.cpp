@@ -26,22 +26,6 @@ std::string whole_script(const Figure& figure) {
       figure.title, figure.name, figure.script, mark);
 }
 
-// Scripts of an earlier report, and their drawings.
-void remove_earlier(const std::string& folder) {
-  std::vector<fs::path> doomed;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (!entry.is_regular_file() || entry.path().extension() != ".gp") continue;
-    std::ifstream file(entry.path());
-    std::string title, again;
-    if (std::getline(file, title) && std::getline(file, again) && again.starts_with(mark))
-      doomed.push_back(entry.path());
-  }
-  for (fs::path& script : doomed) {
-    fs::remove(script);
-    fs::remove(script.replace_extension(".svg"));
-  }
-}
-
 void replace_all(std::string& text, const std::string& from, const std::string& to) {
   for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
     text.replace(at, from.size(), to);
@@ -69,6 +53,21 @@ std::string one_line(const std::string& text) {
 
 }  // namespace
 
+void remove_figures(const std::string& folder) {
+  std::vector<fs::path> doomed;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (!entry.is_regular_file() || entry.path().extension() != ".gp") continue;
+    std::ifstream file(entry.path());
+    std::string title, again;
+    if (std::getline(file, title) && std::getline(file, again) && again.starts_with(mark))
+      doomed.push_back(entry.path());
+  }
+  for (fs::path& script : doomed) {
+    fs::remove(script);
+    fs::remove(script.replace_extension(".svg"));
+  }
+}
+
 std::string svg_in_page(const std::string& svg, const std::string& name) {
   const std::size_t begin = svg.find("<svg");
   if (begin == std::string::npos) return "";
@@ -91,7 +90,7 @@ std::vector<Figure> draw_figures(std::vector<Figure> figures, const std::string&
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (failed) throw InputError(fmt::format("{}: cannot make this folder: {}", folder, failed.message()));
-  remove_earlier(folder);
+  remove_figures(folder);
   for (const Figure& f : figures) io::write_file((fs::path(folder) / (f.name + ".gp")).string(), whole_script(f));
   if (!io::installed("gnuplot")) {
     if (!figures.empty())

@@ -33,10 +33,12 @@ ListedScalar scalar_of(const std::string& name, const Json& from) {
                  number(from, "mean"),
                  number(from, "error"),
                  number(from, "steady_from"),
-                 from.value("error_settled", false)};
+                 from.value("error_settled", false),
+                 true};
   for (const Json& value : from.at("values"))
     if (value.is_number()) {
       ++s.frames;
+      s.constant = s.constant && (!s.last || *s.last == value.get<double>());
       s.last = value.get<double>();
     }
   if (const auto errors = from.find("errors"); errors != from.end() && s.frames == 1)

@@ -20,6 +20,7 @@ struct ListedScalar {
   std::optional<double> last;  // of the last of them
   std::optional<double> mean, error, steady_from;
   bool settled = false;
+  bool constant = true;  // of all frames that have a value
 };
 
 struct ListedTable {

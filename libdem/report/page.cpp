@@ -62,10 +62,17 @@ std::string figures_html(const std::vector<Figure>& figures, const std::vector<s
   std::string out;
   for (const std::string& n : notes) out += note(n);
   if (figures.empty()) return out + (notes.empty() ? note("the analysis has nothing to draw") : "");
-  out += "<div class=\"figures\">\n";
-  for (const Figure& f : figures)
-    out += fmt::format("<figure id=\"figure-{}\">{}<figcaption>{}</figcaption></figure>\n", f.name, f.svg,
-                       escaped(f.title));
+  const std::string* group = nullptr;
+  for (const Figure& f : figures) {
+    if (group == nullptr || *group != f.group)
+      out +=
+          fmt::format("{}<h3>{}</h3>\n<div class=\"figures\">\n", group == nullptr ? "" : "</div>\n", escaped(f.group));
+    group = &f.group;
+    std::string title = f.title;
+    if (!title.empty() && title[0] >= 'a' && title[0] <= 'z') title[0] = static_cast<char>(title[0] - 'a' + 'A');
+    out +=
+        fmt::format("<figure id=\"figure-{}\">{}<figcaption>{}</figcaption></figure>\n", f.name, f.svg, escaped(title));
+  }
   return out + "</div>\n";
 }
 
@@ -127,10 +134,13 @@ Outcome write_report(const Input& input, const analysis::Frames& frames) {
   const Listing listing = read_listing(input.analysis);
   const std::string folder = figures_folder(input.page);
   Outcome out;
-  const ViewData view = view_data(frames, listing, input.max_bodies);
+  const ViewData view = view_data(frames, listing, input.max_bodies, input.reference);
   std::vector<std::string> figure_notes;
-  const std::string data = fs::proximate(fs::absolute(input.analysis), fs::absolute(folder)).generic_string();
-  const std::vector<Figure> figures = draw_figures(figures_of(listing, data), folder, figure_notes);
+  const auto seen = [&](const std::string& path) {
+    return path.empty() ? "" : fs::proximate(fs::absolute(path), fs::absolute(folder)).generic_string();
+  };
+  const Folders folders{seen(input.analysis), seen(input.run), input.run};
+  const std::vector<Figure> figures = draw_figures(figures_of(listing, folders), folder, figure_notes);
   const Three three = find_three();
   const std::string title = input.title.empty() ? listing.source : input.title;
   std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + escaped(title) +

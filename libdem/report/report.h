@@ -18,6 +18,7 @@ struct Input {
   std::vector<std::pair<std::string, std::string>> model;  // what is on and off; name empty: the line before goes on
   std::string still;                                       // a PNG file, shown where the view is not; empty: none
   std::size_t max_bodies = 20000;                          // in the view; of more one in k
+  std::size_t reference = 0;                               // frame that its bands and strain refer to
 };
 
 struct Outcome {

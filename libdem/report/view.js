@@ -48,7 +48,7 @@
   for (const [name, scale] of Object.entries(data.scales)) {
     const top = scale.top || scale.largest;
     colourings[name] = {
-      label: name === 'force' ? 'contact forces (N)' : name + ' (' + scale.unit + ')',
+      label: scale.label,
       ends: [0, top], clipped: scale.largest > top,
       of: (frame, k) => sequential(top > 0 ? frame[name][k] / 65535 * scale.largest / top : 0),
     };
@@ -68,6 +68,8 @@
   const familyOf = data.shapes.map((s) => families.indexOf(s.family));
   colourings.species = categories('species', ['none'].concat(data.species), bodies.species);
   colourings.shape = categories('shape', families, bodies.shape.map((s) => familyOf[s]));
+  for (const band of data.bands)
+    colourings[band.name] = categories(band.label, ['none'].concat(band.names), new Uint32Array(bytesOf(band.of)));
   colourings.id = { label: 'id', ends: ids, of: (f, k) => sequential(share(bodies.id[f.shown[k]], ids)) };
 
   // ---- the scene ----

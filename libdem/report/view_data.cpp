@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "libdem/analysis/body_colours.h"
 #include "libdem/report/base64.h"
 #include "libdem/report/view_shapes.h"
 
@@ -18,11 +19,15 @@ using analysis::Snapshot;
 
 constexpr std::size_t most_in_all = 500000;  // bodies of all frames together
 
-enum Quantity : std::size_t { speed, force, displacement, quantity_count };
+enum Quantity : std::size_t { speed, force, displacement, strain, vorticity, quantity_count };
 struct Known {
-  const char *name, *unit;
+  const char *name, *label;
 };
-constexpr std::array<Known, quantity_count> known{{{"speed", "m/s"}, {"force", "N"}, {"displacement", "m"}}};
+constexpr std::array<Known, quantity_count> known{{{"speed", "speed (m/s)"},
+                                                   {"force", "contact forces (N)"},
+                                                   {"displacement", "displacement (m)"},
+                                                   {"strain", "shear strain"},
+                                                   {"vorticity", "vorticity (1/s)"}}};
 
 // Sum of the magnitudes of the contact forces on each body, N.
 std::vector<double> contact_load(const Snapshot& s) {
@@ -51,6 +56,39 @@ class Displacements {
     Vec3d last, sum;
   };
   std::map<std::uint64_t, Body> bodies_;
+};
+
+// Bands of bodies, fixed at a reference frame.
+class Bands {
+ public:
+  explicit Bands(const Snapshot& reference) : ids_(reference.id) {
+    for (const char* word : {"layers", "layers_x", "layers_y"})
+      if (reference.count() > 0 && (reference.dimension == 3 || std::string(word) != "layers_y"))
+        list_.emplace_back(word, analysis::body_colours(reference, word, &reference));
+    values_.resize(list_.size());
+  }
+  void add(std::uint64_t id) {  // the next body of the view
+    const auto at = std::lower_bound(ids_.begin(), ids_.end(), id);
+    const auto place = static_cast<std::size_t>(at - ids_.begin());
+    for (std::size_t k = 0; k < list_.size(); ++k)  // 0: none
+      values_[k].push_back(at == ids_.end() || *at != id
+                               ? std::uint32_t{0}
+                               : static_cast<std::uint32_t>(list_[k].second.values[place]) + 1);
+  }
+  Json json() const {
+    Json out = Json::array();
+    for (std::size_t k = 0; k < list_.size(); ++k)
+      out.push_back({{"name", list_[k].first},
+                     {"label", list_[k].second.label},
+                     {"names", list_[k].second.names},
+                     {"of", base64_of(values_[k])}});
+    return out;
+  }
+
+ private:
+  std::vector<std::uint64_t> ids_;
+  std::vector<std::pair<std::string, analysis::BodyColours>> list_;
+  std::vector<std::vector<std::uint32_t>> values_;
 };
 
 // One in `each`, spread evenly over ids: the fractional parts of multiples of the golden ratio.
@@ -88,7 +126,7 @@ bool turns(const Snapshot& s, std::size_t i) {
 
 class Packer {
  public:
-  Packer(const io::Box& box, bool turned) : box_(box), turned_(turned) {}
+  Packer(const io::Box& box, bool turned, Bands& bands) : box_(box), turned_(turned), bands_(bands) {}
 
   Json frame(const Snapshot& s, const FrameValues& f, const std::array<double, quantity_count>& largest,
              const std::array<bool, quantity_count>& has) {
@@ -138,6 +176,7 @@ class Packer {
     const auto [at, fresh] = index_.try_emplace(s.id[i], static_cast<std::uint32_t>(ids_.size()));
     if (fresh) {
       ids_.push_back(s.id[i]);
+      bands_.add(s.id[i]);
       shapes_.push_back(s.shape[i]);
       species_.push_back(s.species[i]);
       for (int k = 0; k < 3; ++k) sizes_.push_back(static_cast<float>(s.size[i][k]));
@@ -153,6 +192,7 @@ class Packer {
 
   io::Box box_;
   bool turned_;
+  Bands& bands_;
   std::map<std::uint64_t, std::uint32_t> index_;
   std::vector<std::uint64_t> ids_;
   std::vector<std::uint32_t> shapes_, species_;
@@ -181,13 +221,15 @@ Vec3d up_of(const Snapshot& s) {
 
 }  // namespace
 
-ViewData view_data(const analysis::Frames& frames, const Listing& listing, std::size_t most_bodies) {
+ViewData view_data(const analysis::Frames& frames, const Listing& listing, std::size_t most_bodies,
+                   std::size_t reference_frame) {
   ViewData out;
+  const Snapshot reference = frames.read(reference_frame);
   const std::vector<std::size_t> list = thinned(listing.frames, most_bodies, out.notes);
   // First pass: the box, and what colours show.
   std::vector<FrameValues> all;
   std::array<std::vector<double>, quantity_count> together;
-  std::array<bool, quantity_count> has{true, true, list.size() > 1};
+  std::array<bool, quantity_count> has{true, true, list.size() > 1, list.size() > 1, true};
   Displacements displacements;
   io::Box box;
   bool turned = false;
@@ -198,9 +240,14 @@ ViewData view_data(const analysis::Frames& frames, const Listing& listing, std::
   for (const std::size_t frame : list) {
     const Snapshot s = frames.read(frame);
     add_to_box(s, box);
-    has[speed] = has[speed] && s.has_velocity;
+    has[speed] = has[vorticity] = has[speed] && s.has_velocity;
     has[force] = has[force] && s.has_contacts && s.has_forces;
     const std::vector<double> load = contact_load(s);
+    const auto local = [&](const char* word, bool wanted) {
+      return wanted ? analysis::body_colours(s, word, &reference).values : std::vector<double>(s.count(), 0.0);
+    };
+    const std::vector<double> strains = local("strain", has[strain]), curls = local("vorticity", has[vorticity]);
+    const auto or_zero = [](double v) { return std::isfinite(v) ? v : 0.0; };  // its neighbours do not span the space
     FrameValues f{frame, {}, {}};
     for (std::uint32_t i = 0; i < s.count(); ++i) {
       const double moved = displacements.of(i, s);
@@ -210,6 +257,8 @@ ViewData view_data(const analysis::Frames& frames, const Listing& listing, std::
       f.values[speed].push_back(norm(s.velocity[i]));
       f.values[force].push_back(load[i]);
       f.values[displacement].push_back(moved);
+      f.values[strain].push_back(or_zero(strains[i]));
+      f.values[vorticity].push_back(or_zero(curls[i]));
     }
     for (std::size_t q = 0; q < quantity_count; ++q)
       together[q].insert(together[q].end(), f.values[q].begin(), f.values[q].end());
@@ -223,9 +272,10 @@ ViewData view_data(const analysis::Frames& frames, const Listing& listing, std::
     for (const double v : together[q]) largest[q] = std::max(largest[q], v);
     if (has[q])
       scales[known[q].name] = {
-          {"unit", known[q].unit}, {"largest", largest[q]}, {"top", top_of(std::move(together[q]))}};
+          {"label", known[q].label}, {"largest", largest[q]}, {"top", top_of(std::move(together[q]))}};
   }
-  Packer packer(box, turned);
+  Bands bands(reference);
+  Packer packer(box, turned, bands);
   ViewWalls walls(box);
   Json data, frame_list = Json::array();
   for (const FrameValues& f : all) {
@@ -242,6 +292,7 @@ ViewData view_data(const analysis::Frames& frames, const Listing& listing, std::
   }
   out.frames = all.size();
   data["bodies"] = packer.bodies();
+  data["bands"] = bands.json();
   data["scales"] = scales;
   data["walls"] = walls.walls();
   data["frames"] = frame_list;

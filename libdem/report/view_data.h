@@ -17,7 +17,9 @@ struct ViewData {
 
 // Frames of the listing, about `most_bodies` bodies of each at most (one in k, spread over ids), and at most 500,000
 // bodies of all frames together (every k-th frame and the last). Places are kept to 1/65535 of the box that holds all
-// of it, angles to 1/32767, colours to 1/65535 of their largest value. Two passes over the frames.
-ViewData view_data(const analysis::Frames& frames, const Listing& listing, std::size_t most_bodies);
+// of it, angles to 1/32767, colours to 1/65535 of their largest value. Bands and strain refer to frame `reference` of
+// the source. Two passes over the frames.
+ViewData view_data(const analysis::Frames& frames, const Listing& listing, std::size_t most_bodies,
+                   std::size_t reference);
 
 }  // namespace dem::report

@@ -1,8 +1,12 @@
 // Energies and velocities of a snapshot against the loop's own and closed forms.
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "libdem/analysis/energy.h"
+#include "libdem/analysis/frames.h"
 #include "libdem/analysis/velocity.h"
+#include "libdem/io/io.h"
 #include "tests/libdem/analysis_result.h"
 #include "tests/libdem/io_world.h"
 #include "tests/libdem/scenes_in_code.h"
@@ -42,6 +46,24 @@ TEST(AnalysisEnergy, LossesWhereTheSceneKeepsBooks) {
   EXPECT_EQ(scalar(r, "lost_friction"), dissipated(world)[1]);
   World filled = io_test::small_world();  // no running world: nobody knows what its contacts store
   EXPECT_FALSE(has(report_energy(snapshot_of(filled), {}), "elastic"));
+}
+
+// A frame of a record stores what the world did, with a memory of contacts (the ledger asks for one) and without.
+TEST(AnalysisEnergy, OfARecordAsOfTheWorld) {
+  std::vector<Scene> all{scenes::every_shape(60), scenes::bodies_of_parts(60), scenes::every_shape_in_a_cell(150)};
+  all.push_back(scenes::every_shape(60));
+  all.back().law.ledger = true;
+  for (const Scene& scene : all) {
+    const io_test::Folder folder("analysis_energy");
+    const World world = scenes::run(scene, 300);
+    std::ofstream(folder / "scene.toml") << scene_to_toml(world.scene);
+    io::Record(folder / "record.h5", world, false).write(world);
+    const Result r = report_energy(open_frames(folder.path(), {}).read(0), {});
+    const double elastic = energies(world).elastic;
+    EXPECT_NEAR(scalar(r, "elastic"), elastic, 1e-12 * elastic);  // sizes are read, radii made of them anew
+    EXPECT_GT(scalar(r, "elastic"), 0);
+    EXPECT_FALSE(has(r, "lost_friction"));
+  }
 }
 
 TEST(AnalysisVelocity, MeanAndTemperature) {

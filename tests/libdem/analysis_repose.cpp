@@ -39,8 +39,8 @@ void expect_angle(const Snapshot& s, double angle, double within, std::size_t si
   const Repose found = repose_of(free_surface_of(s, {}));
   ASSERT_TRUE(found.angle);
   EXPECT_EQ(found.slopes.size(), sides);
-  EXPECT_NEAR(*found.angle / degree, angle, within);
-  EXPECT_NEAR(*found.angle, angle * degree, 3 * found.error + 0.2 * degree);
+  EXPECT_NEAR(found.angle.value_or(0) / degree, angle, within);
+  EXPECT_NEAR(found.angle.value_or(0), angle * degree, 3 * found.error + 0.2 * degree);
   EXPECT_GT(found.error, 0);
   EXPECT_LT(found.error / degree, 2);
 }
@@ -53,17 +53,17 @@ TEST(AnalysisRepose, HeapsOfTheirOwnAngle) {
 
 TEST(AnalysisRepose, UpIsWhereGravitySays) {
   Snapshot s = heap(3, 28, 8, about_z);
-  const double expected = *repose_of(free_surface_of(s, {})).angle;
+  const double expected = repose_of(free_surface_of(s, {})).angle.value_or(0);
   for (Vec3d& x : s.position) x = {x.z, x.x, x.y};  // up is x
   s.gravity = {-9.81, 0, 0};
-  EXPECT_NEAR(*repose_of(free_surface_of(s, {})).angle, expected, 1e-12);
+  EXPECT_NEAR(repose_of(free_surface_of(s, {})).angle.value_or(0), expected, 1e-12);
 }
 
 TEST(AnalysisRepose, HeapAgainstAWallHasOneSideLess) {
   Snapshot s = heap(2, 25, 10, [](const Vec3d& x) { return x.x < -1.5 ? 1e9 : std::abs(x.x); });
   const Repose found = repose_of(free_surface_of(s, {}));
   ASSERT_EQ(found.slopes.size(), 1u);
-  EXPECT_NEAR(*found.angle / degree, 25, 1);
+  EXPECT_NEAR(found.angle.value_or(0) / degree, 25, 1);
 }
 
 TEST(AnalysisRepose, BasesAndFlyingBodies) {
@@ -86,6 +86,49 @@ TEST(AnalysisRepose, BasesAndFlyingBodies) {
   const double height = repose_of(free_surface_of(s, {})).height;
   sets::add_body(s, {0, 50, 0}, 0.25);
   EXPECT_EQ(repose_of(free_surface_of(s, {})).height, height);
+}
+
+// Bodies wherever they fit under a plane that falls by `slope` along `down`, in a box of 2 `half` by `depth`.
+Snapshot bed_under(const Vec3d& slope, double depth, double half = 6) {
+  Snapshot s;
+  s.gravity = {0, 0, -9.81};
+  Random random(5, 0, 0);
+  for (int i = 0; i < 60000; ++i) {
+    const Vec3d x{random.uniform(-half, half), random.uniform(0, depth), random.uniform(0, 20)};
+    if (x.z + 0.25 <= 8 - dot(slope, x)) sets::add_body(s, x, 0.25);
+  }
+  return s;
+}
+
+TEST(AnalysisRepose, TiltOfAFlatSurface) {
+  for (const double angle : {10.0, 30.0}) {
+    const double steep = std::tan(angle * degree);
+    for (const Vec3d down : {Vec3d{1, 0, 0}, Vec3d{-1, 0, 0}, Vec3d{0.8, 0.6, 0}}) {
+      const auto tilt = tilt_of(free_surface_of(bed_under(down * steep, 4), {}));
+      ASSERT_TRUE(tilt);
+      EXPECT_NEAR(tilt->angle / degree, angle, 1);
+      EXPECT_NEAR(tilt->angle, angle * degree, 3 * tilt->error + 0.2 * degree);
+      EXPECT_GT(tilt->error, 0);
+      EXPECT_LT(tilt->error / degree, 1);
+    }
+  }
+  // One square across: the line along it.
+  const auto thin = tilt_of(free_surface_of(bed_under({std::tan(10 * degree), 0, 0}, 0.6, 24), {}));
+  ASSERT_TRUE(thin);
+  EXPECT_NEAR(thin->angle / degree, 10, 1);
+  EXPECT_FALSE(tilt_of(free_surface_of(sets::square(), {})));  // too few squares
+}
+
+TEST(AnalysisRepose, NoSquareIsASliverAlongAWall) {
+  // A level bed whose depth is no whole number of squares: every square has a body near the top.
+  Snapshot s;
+  s.gravity = {0, 0, -9.81};
+  Random random(6, 0, 0);
+  for (int i = 0; i < 30000; ++i)
+    sets::add_body(s, {random.uniform(0, 10), random.uniform(0, 3.07), random.uniform(0, 4)}, 0.25);
+  const FreeSurface f = free_surface_of(s, {});
+  EXPECT_EQ(f.points.size(), 10u * 3u - 3u);  // the extent along x is a little below ten squares
+  for (const SurfacePoint& p : f.points) EXPECT_GT(p.height, 4);
 }
 
 TEST(AnalysisRepose, NoHeapIsSaid) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "libdem/analysis/grid.h"
+#include "libdem/analysis/wall_profile.h"
 #include "libdem/analysis/walls.h"
 #include "shapes/mesh_build.h"
 #include "shapes/polygon_build.h"
@@ -145,6 +146,79 @@ TEST(AnalysisWalls, LinesAndOutlinesOfThePlane) {
     EXPECT_NEAR(p.pressing, 6, 1e-12);
   }
   EXPECT_EQ(loaded, 1);
+}
+
+// Bodies that press on the wall at x = 0 as heavily as they lie deep below z = 8.
+Snapshot beside_a_wall(int wall) {
+  Snapshot s;
+  s.gravity = {0, 0, -9.81};
+  s.walls.resize(2);
+  s.walls[0].name = "flat side";
+  s.walls[0].orientation = turned({0, 1, 0}, std::numbers::pi / 2);  // normal along x
+  s.walls[1].name = "sloping";
+  s.walls[1].kind = shapes::Kind::mesh;
+  // A square on its corner in the plane x = 0: 2 (z − 4) wide from 4 up to 8, 2 (12 − z) from there.
+  const std::vector<Vec3d> corners{{0, 2, 4}, {0, 6, 8}, {0, 2, 12}, {0, -2, 8}};
+  const std::vector<std::uint32_t> triangles{0, 1, 2, 0, 2, 3};
+  s.walls[1].mesh = std::make_shared<shapes::Mesh>(shapes::mesh_from_triangles(corners, triangles));
+  for (int k = 0; k < 8; ++k)
+    for (int j = 0; j < 4; ++j) {
+      const std::size_t i = sets::add_body(s, {0.5, j + 0.5, k + 0.5}, 0.5);
+      sets::touch_wall(s, i, static_cast<std::size_t>(wall), {-1, 0, 0}, 8 - (k + 0.5));
+      s.contacts.back().force.z = 0.5;
+    }
+  return s;
+}
+
+TEST(AnalysisWalls, PressureOverHeight) {
+  const Snapshot s = beside_a_wall(0);
+  const Domain region{{0, 0, 0}, {1, 4, 8}};
+  const std::vector<WallBand> bands = wall_profile(s, 0, region, 2.1);  // four bands fit best
+  ASSERT_EQ(bands.size(), 4u);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_NEAR(bands[k].from, 2.0 * static_cast<double>(k), 1e-12);
+    EXPECT_NEAR(bands[k].area, 8, 1e-12);
+    EXPECT_NEAR(bands[k].pressing / bands[k].area, 8 - (bands[k].from + 1), 1e-12);  // hydrostatic
+    EXPECT_NEAR(bands[k].across, 8 * 0.5, 1e-12);
+  }
+  const Table t = profile_table(s, 0, region, 1);
+  EXPECT_EQ(t.name, "height_flat_side");
+  EXPECT_EQ(t.columns[0].values.size(), 8u);
+  Snapshot level = bed();
+  EXPECT_TRUE(wall_profile(level, 0, {{0, 0, 0}, {4, 6, 8}}, 1).empty());
+}
+
+TEST(AnalysisWalls, AreaOfAMeshOverHeight) {
+  const Snapshot s = beside_a_wall(1);
+  double area = 0, pressing = 0, all = 0;
+  for (const WallBand& b : wall_profile(s, 1, {{0, -2, 0}, {1, 6, 16}}, 0.7)) {
+    const auto below = [](double z) {  // area of the mesh below z
+      const double h = std::clamp(z, 4.0, 12.0);
+      return h < 8 ? (h - 4) * (h - 4) : 32 - (12 - h) * (12 - h);
+    };
+    EXPECT_NEAR(b.area, below(b.to) - below(b.from), 1e-12);
+    area += b.area;
+    pressing += b.pressing;
+  }
+  EXPECT_NEAR(area, 32, 1e-12);
+  for (const SnapshotContact& c : s.contacts) all += c.pressing();
+  EXPECT_NEAR(pressing, all, 1e-12);  // those beyond its ends count with the outermost
+}
+
+TEST(AnalysisWalls, LinesOverHeight) {
+  Snapshot s;
+  s.dimension = 2;
+  s.thickness = 0.1;
+  s.gravity = {0, -1, 0};
+  s.walls.resize(1);
+  s.walls[0].kind = shapes::Kind::line;
+  s.walls[0].orientation = turned({0, 0, 1}, -0.25 * std::numbers::pi);  // falls at 45 degrees
+  sets::add_body(s, {1, -1, 0}, 0.5);
+  sets::touch_wall(s, 0, 0, {-std::sqrt(0.5), -std::sqrt(0.5), 0}, 3);
+  const auto bands = wall_profile(s, 0, {{-2, -2, 0}, {2, 2, 0}}, 1);
+  ASSERT_EQ(bands.size(), 4u);
+  for (const WallBand& b : bands) EXPECT_NEAR(b.area, 0.1 * std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(bands[0].pressing, 3, 1e-12);
 }
 
 TEST(AnalysisWalls, WithoutWallsOrContacts) {

@@ -1,7 +1,9 @@
 // Pictures: exact silhouettes, same bytes, something to see.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
+#include <limits>
 #include <numbers>
 #include <set>
 
@@ -47,6 +49,49 @@ TEST(RenderPicture, ShowsColoursAndIsTheSameEveryTime) {
   }
   view.color_by = "colour";
   EXPECT_THROW(draw(world, view), dem::RunError);
+}
+
+// Colours from elsewhere: in order of ids, grey where a body has none; as many as there are bodies.
+TEST(RenderPicture, TakesColoursOfOthers) {
+  NEEDS_EMBREE;
+  const dem::World world = dem::io_test::small_world();
+  const std::size_t count = world.particles.count();
+  View view;
+  view.width = 160;
+  view.height = 120;
+  view.legend = false;
+  const auto of = [&](std::vector<std::string> names, std::vector<double> values) {
+    view.colouring = dem::render::Colouring{"bands", std::move(names), std::move(values)};
+    return draw(world, view);
+  };
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  // Whether every pixel is about as red as it is green and blue: walls are, and what is grey.
+  const auto coloured = [](const Image& image) {
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < pixel_count(image); ++i) {
+      const auto [least, most] = std::minmax({image.rgb[3 * i], image.rgb[3 * i + 1], image.rgb[3 * i + 2]});
+      n += most - least > 60;
+    }
+    return n;
+  };
+  EXPECT_EQ(coloured(of({"a", "b"}, std::vector<double>(count, none))), 0u);
+  EXPECT_EQ(coloured(of({}, std::vector<double>(count, none))), 0u);
+  EXPECT_GT(coloured(of({"a", "b"}, std::vector<double>(count, 1))), 200u);
+  EXPECT_NE(of({"a", "b"}, std::vector<double>(count, 1)).rgb, of({"a", "b"}, std::vector<double>(count, 0)).rgb);
+  std::vector<double> values;
+  for (std::size_t i = 0; i < count; ++i) values.push_back(static_cast<double>(i));
+  view.range = dem::render::Range{0, static_cast<double>(count - 1)};
+  const Image ordered = of({}, values);
+  View by_id = view;
+  by_id.colouring.reset();
+  by_id.color_by = "id";
+  const auto picture = dem::render::picture_of(world, by_id), other = dem::render::picture_of(world, view);
+  for (std::size_t i = 1; i < count; ++i) {
+    EXPECT_GT(picture.bodies[i].value, picture.bodies[i - 1].value);
+    EXPECT_EQ(other.bodies[i].value, static_cast<double>(i));
+  }
+  EXPECT_GT(coloured(ordered), 200u);
+  EXPECT_THROW(of({}, {1.0}), dem::RunError);
 }
 
 // Seen along an axis, an ellipsoid covers π times the other two semi-axes; a sphere and a turned box likewise.

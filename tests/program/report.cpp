@@ -100,12 +100,29 @@ TEST_F(Report, OnePageOfARun) {
   // Again: the analysis stands, and the page has the same bytes.
   ASSERT_EQ(program::dem({"report", run()}).exit_code, 0);
   EXPECT_EQ(program::read(run() + "/report.html"), page);
-  // A new run takes the place of the page as well.
+}
+
+TEST_F(Report, ANewRunTakesThePlaceOfPageFiguresAndAnalysis) {
   const std::string scene = folder_->path("scene.toml"), again = folder_->path("again");
   ASSERT_EQ(program::dem({"run", scene, "--out", again, "--quiet"}).exit_code, 0);
+  ASSERT_EQ(program::dem({"report", again, "--what", "energy,velocity", "--quiet"}).exit_code, 0);
+  const auto there = [&](const char* name) { return std::filesystem::exists(again + "/" + name); };
+  EXPECT_TRUE(there("report.html") && there("analysis/energy_series.csv") && there("report_figures"));
+  folder_->write("again/analysis/notes.txt", "the user's own");
+  folder_->write("again/report_figures/mine.gp", "plot sin(x)\n");
+  ASSERT_EQ(program::dem({"run", scene, "--out", again, "--quiet", "--force"}).exit_code, 0);
+  EXPECT_FALSE(there("report.html"));
+  std::vector<std::string> left;
+  for (const char* name : {"/analysis", "/report_figures"})
+    for (const auto& entry : std::filesystem::directory_iterator(again + name))
+      left.push_back(entry.path().filename().string());
+  EXPECT_EQ(left, (std::vector<std::string>{"notes.txt", "mine.gp"}));
+  for (const char* name : {"/analysis/notes.txt", "/report_figures/mine.gp"}) std::filesystem::remove(again + name);
+  std::filesystem::remove(again + "/analysis");
+  std::filesystem::remove(again + "/report_figures");
   ASSERT_EQ(program::dem({"report", again, "--what", "energy", "--quiet"}).exit_code, 0);
   ASSERT_EQ(program::dem({"run", scene, "--out", again, "--quiet", "--force"}).exit_code, 0);
-  EXPECT_FALSE(std::filesystem::exists(again + "/report.html"));
+  EXPECT_FALSE(there("analysis") || there("report_figures"));
 }
 
 TEST_F(Report, WhatTheViewReads) {
@@ -119,7 +136,11 @@ TEST_F(Report, WhatTheViewReads) {
   EXPECT_EQ(data.at("frames")[0].at("walls").size(), data.at("walls").size());
   EXPECT_GE(data.at("walls").size(), 1u);
   EXPECT_FALSE(data.at("walls")[0].is_null());
-  for (const char* name : {"speed", "force", "displacement"}) EXPECT_TRUE(data.at("scales").contains(name)) << name;
+  for (const char* name : {"speed", "force", "displacement", "strain", "vorticity"})
+    EXPECT_TRUE(data.at("scales").contains(name)) << name;
+  ASSERT_EQ(data.at("bands").size(), 3u);
+  EXPECT_EQ(data.at("bands")[0].at("name"), "layers");
+  EXPECT_EQ(data.at("bands")[0].at("names").size(), 8u);
   EXPECT_GT(data.at("scales").at("speed").at("largest"), 0);
   // Fewer bodies: every second one, and the page says so.
   const Outcome some = program::dem({"report", run(), "--out", out, "--bodies", "2"});
@@ -142,6 +163,10 @@ TEST_F(Report, AnalysisOfTheUserStands) {
   page = program::read(out);
   EXPECT_EQ(program::body_attribute(page, "data-frames"), "1");
   EXPECT_TRUE(has(page, "<summary>velocity</summary>") && !has(page, "<summary>energy</summary>"));
+  // Other options of the analysis make it anew as well.
+  ASSERT_EQ(program::dem({"report", run(), "--out", out, "--split", "layers", "--reference", "-1"}).exit_code, 0);
+  page = program::read(out);
+  EXPECT_TRUE(has(page, "groups by layers") && has(page, "<summary>energy</summary>"));
   // One that was broken off is made anew.
   folder_->write("run/analysis/analysis.json", "{\"complete\": false}\n");
   ASSERT_EQ(program::dem({"report", run(), "--out", out}).exit_code, 0);
@@ -191,6 +216,8 @@ TEST_F(Report, Refuses) {
   expect_refused({run(), "--out", folder_->path("none/page.html")}, "there is no folder");
   expect_refused({run(), "--what", "stres"}, "did you mean stress?");
   expect_refused({run(), "--frames", "999"}, "has frames 0 to");
+  expect_refused({run(), "--reference", "999"}, "has frames 0 to");
+  expect_refused({run(), "--boxes", "3"}, "--boxes: 1 number; allowed two or three");
   EXPECT_EQ(program::dem({"report", run(), "--bodies", "0"}).exit_code, 2);
 }
 

@@ -62,6 +62,10 @@ TEST(ReportInABrowser, DrawsEveryBody) {
   const Browsed first = browse(folder, run + "/report.html#frame=0&colour=size", picture);
   EXPECT_EQ(first.errors, "");
   EXPECT_EQ(program::body_attribute(first.page, "data-frame"), "0");
+  const Browsed bands = browse(folder, run + "/report.html#colour=layers", picture);
+  EXPECT_EQ(bands.errors, "");
+  EXPECT_NE(bands.page.find("<div class=\"label\">layers</div>"), std::string::npos);
+  EXPECT_NE(bands.page.find("<span class=\"name\">height "), std::string::npos);
 }
 
 }  // namespace
