@@ -161,7 +161,7 @@ bool general_slope(const OverlapBody& body, double size, DepthSlope& out) {
     const Vec3d &normal = faces[s.left].normal, &across = faces[s.right].normal;
     const Vec3d &from = corners[s.from], &to = corners[s.to], along = to - from, sine = cross(normal, across);
     const double square = dot(sine, sine);
-    if (!(square > 0)) continue;
+    if (!(square > 0x1p-60)) continue;  // in one plane to rounding: nowhere in particular
     const double weight = dot(slope, normal) * (dot(along, sine) / square);  // n_a × n_b runs along the side
     out.force -= weight * across;
     out.moment -= weight * cross(0.5 * (from + to) - out.centroid, across);
