@@ -31,8 +31,8 @@ struct Patch {
 };
 
 // How deep flat-faced bodies lie in each other, and its slope, which a potential acts along: overlap_depth.h. On
-// request it comes with the answer of facets of meshes and of the regions of polygons that are not convex; of other
-// pairs overlap_depth gives it.
+// request it comes with the answer of facets of meshes, of the regions of polygons that are not convex, and of pairs of
+// polyhedra where these can; of other pairs overlap_depth gives it.
 struct OverlapDepth {
   double depth = 0;  // d, m; 0: not measured
   double gain = 1;   // J
@@ -67,7 +67,7 @@ struct Contact {
 struct Options {
   bool overlap_only = false;
   bool patch = true;
-  bool measure = false;  // of facets and regions
+  bool measure = false;  // of facets, regions and polyhedron pairs; on a face of these the patch is the overlap itself
   bool warm_start = false;
   double tolerance = 0;
 };

@@ -8,6 +8,9 @@
 // α e and β f from their common perpendicular.
 //   d = J δ,  J² = 0.6/(1 + 2 α² + 2 β²)                                                                         (3)
 //   the force is J n along the common perpendicular, with the couple −δ ∂J/∂θ: α, β depend on the rotation alone (4)
+//
+// Source: own, from (1)–(4) there. Validity: no other plane has a part in the overlap; the body's `form` says so. Cost:
+// 30 ns. Accuracy: as the sums over any body. Tests: tests/libcontact/overlap_depth.cpp
 #pragma once
 
 #include "libcontact/methods/overlap_moments.h"

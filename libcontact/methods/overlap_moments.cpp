@@ -30,13 +30,14 @@ struct Sums {
   std::size_t corners = 0;
   std::span<const Triangle> cones, of_other;
   std::span<const Side> rim;
-  ScratchList<Vec3d> places;
+  ScratchList<Vec3d> arms, places;
   ScratchList<double> residuals, volumes;
 
   void gather(const OverlapBody& body) {
     const auto faces = body.faces();
     const auto sides = body.sides();
     corners = body.corners().size();
+    arms.make_room(corners);
     places.make_room(corners);
     residuals.make_room(corners);
     volumes.make_room(corners);
@@ -95,14 +96,22 @@ bool general_slope(const OverlapBody& body, double size, DepthSlope& out) {
   const Axes axes(surface * (1 / section));
 
   const std::size_t count = sums.corners;
-  Vec3d* const places = sums.places.data();  // along the axes, from corner 0
+  // Along the axes, from corner 0 and from the middle of the corners: about that an even body has no moment at all, not
+  // one of rounding.
+  Vec3d *const arms = sums.arms.data(), *const places = sums.places.data();
   double *const residuals = sums.residuals.data(), *const volumes = sums.volumes.data();
+  Vec3d middle{};
   for (std::size_t i = 0; i < count; ++i) {
-    places[i] = axes(corners[i] - apex);
+    arms[i] = axes(corners[i] - apex);
+    middle += arms[i];
+  }
+  middle *= 1 / static_cast<double>(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    places[i] = arms[i] - middle;
     volumes[i] = 0;
   }
-  // Of a cone of volume v with its apex in the origin over a triangle: ∫x = v/4 Σ, ∫xxᵀ = v/20 (ΣΣᵀ + Σ xxᵀ), Σ the sum
-  // of its corners.
+  const Vec3d top = places[0];
+  // Of a cone of volume v over a triangle: ∫x = v/4 Σ, ∫xxᵀ = v/20 (ΣΣᵀ + Σ xxᵀ), Σ the sum of its four corners.
   double volume = 0, xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
   Vec3d c{};
   const auto add = [&](double v, const Vec3d& a) {
@@ -114,8 +123,8 @@ bool general_slope(const OverlapBody& body, double size, DepthSlope& out) {
     yz += v * (a.y * a.z);
   };
   for (const auto& [f, p, q] : sums.cones) {
-    const double v = dot(places[f], cross(places[p], places[q]));
-    const Vec3d sum = places[f] + places[p] + places[q];
+    const double v = dot(arms[f], cross(arms[p], arms[q]));
+    const Vec3d sum = top + places[f] + places[p] + places[q];
     volume += v;
     volumes[f] += v;
     volumes[p] += v;
@@ -124,7 +133,8 @@ bool general_slope(const OverlapBody& body, double size, DepthSlope& out) {
     add(v, sum);
   }
   if (!(volume > 0)) return false;
-  for (std::size_t i = 1; i < count; ++i) add(volumes[i], places[i]);
+  volumes[0] = volume;
+  for (std::size_t i = 0; i < count; ++i) add(volumes[i], places[i]);
   const double w = 0.05 / volume;
   c *= 0.25 / volume;
   volume *= 1.0 / 6;
@@ -135,9 +145,9 @@ bool general_slope(const OverlapBody& body, double size, DepthSlope& out) {
   const double variance = tilt.variance;
   out.depth = std::sqrt(12 * variance);  // (1)
   if (!(out.depth > least_depth * size)) return false;
+  const double level = c.z - tilt.u * c.x - tilt.v * c.y;
   for (std::size_t i = 0; i < count; ++i) {
-    places[i] -= c;
-    residuals[i] = places[i].z - tilt.u * places[i].x - tilt.v * places[i].y;
+    residuals[i] = (places[i].z - level) - (tilt.u * places[i].x + tilt.v * places[i].y);
   }
 
   Vec3d force{}, moment{};                       // along the axes
@@ -151,21 +161,24 @@ bool general_slope(const OverlapBody& body, double size, DepthSlope& out) {
   const auto back = [&](const Vec3d& x) { return axes.t * x.x + axes.s * x.y + axes.n * x.z; };
   out.force = back(scale * force);
   out.moment = back(scale * moment);
-  out.centroid = apex + back(c);
   out.volume = volume;
   out.tt = xx, out.uu = yy, out.tu = xy;
   out.t = axes.t, out.u = axes.s;
   // The rim, along the body's axes.
+  const Vec3d about = apex + back(middle);
   const Vec3d slope = (out.depth / section) * (tilt.u * axes.t + tilt.v * axes.s);
   for (const Side& s : sums.rim) {
     const Vec3d &normal = faces[s.left].normal, &across = faces[s.right].normal;
     const Vec3d &from = corners[s.from], &to = corners[s.to], along = to - from, sine = cross(normal, across);
     const double square = dot(sine, sine);
-    if (!(square > 0)) continue;
+    if (!(square > 0x1p-60)) continue;  // in one plane to rounding: nowhere in particular
     const double weight = dot(slope, normal) * (dot(along, sine) / square);  // n_a × n_b runs along the side
     out.force -= weight * across;
-    out.moment -= weight * cross(0.5 * (from + to) - out.centroid, across);
+    out.moment -= weight * cross(0.5 * (from + to) - about, across);
   }
+  const Vec3d shift = back(c);
+  out.centroid = about + shift;
+  out.moment -= cross(shift, out.force);
   return true;
 }
 
