@@ -6,27 +6,29 @@ import subprocess
 
 PANELS = [("fraction", "solid fraction"), ("coordination", "contacts per body"), ("angle", "angle of repose, degrees"),
           ("discharge", "discharge, kg/s")]
-SERIES = [("space", "shapes", "#0072b2", 7, "points"), ("grain", "one grain, coarse to fine", "#d55e00", 5, "linespoints")]
+SERIES = [  # group, name, colour, mark, style, height of the labels
+    ("space", "shapes", "#0072b2", 7, "points", 0.6), ("grain", "one grain, coarse to fine", "#d55e00", 5, "linespoints", -0.7)]
 
 
 def script(groups, output, terminal):
-    lines = [f"set terminal {terminal}", f"set output '{output}'", "set multiplot layout 2,2 margins 0.07,0.98,0.07,0.97 spacing 0.08,0.08",
+    lines = [f"set terminal {terminal}", f"set output '{output}'", "set multiplot layout 2,2 margins 0.07,0.98,0.06,0.96 spacing 0.08,0.1",
              "set logscale x", "set xlabel 'processor time per particle-step, ns'", "set grid lc rgb '#dddddd'",
-             "set offsets graph 0.02, graph 0.25, graph 0.1, graph 0.1", "set key top right samplen 2"]
+             "set offsets graph 0.02, graph 0.15, graph 0.1, graph 0.1", "set key above samplen 2"]
     blocks, panels = [], []
     for key, title in PANELS:
         plots = []
-        for group, name, colour, mark, style in SERIES:
+        for group, name, colour, mark, style, height in SERIES:
             rows = [(shape, found) for shape, found in groups.get(group, []) if key in found]
             if not rows:
                 continue
             block = f"$data{len(blocks)}"
+            labels = [shape.removeprefix("grain as ").removeprefix("grain, ") for shape, _ in rows]
             blocks.append(f"{block} << EOD\n" + "\n".join(
-                f'{found["ns_step"][0]:g} {found[key][0]:g} {found[key][1] if math.isfinite(found[key][1]) else 0:g} "{shape}"'
-                for shape, found in rows) + "\nEOD")
+                f'{found["ns_step"][0]:g} {found[key][0]:g} {found[key][1] if math.isfinite(found[key][1]) else 0:g} "{label}"'
+                for label, (_, found) in zip(labels, rows)) + "\nEOD")
             plots += [f"{block} using 1:2:3 with yerrorbars pt {mark} lc rgb '{colour}' notitle",
                       f"{block} using 1:2 with {style} pt {mark} lc rgb '{colour}' title '{name}'",
-                      f"{block} using 1:2:4 with labels left offset 0.7,0.5 font ',8' tc rgb '{colour}' noenhanced notitle"]
+                      f"{block} using 1:2:4 with labels left offset 0.7,{height} font ',8' tc rgb '{colour}' noenhanced notitle"]
         if plots:
             panels += [f"set ylabel '{title}'", "plot " + ", \\\n     ".join(plots)]
     return "\n".join(lines[:1] + blocks + lines[1:] + panels + ["unset multiplot", ""])
