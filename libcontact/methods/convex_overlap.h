@@ -1,6 +1,6 @@
 // Sums over the overlap of two convex polyhedra: its volume and the pieces of both surfaces. Cones from one of its
-// corners over its faces add up to the volume. Cost: 0.5 us a pair of cubes. Tests: tests/libcontact/overlap_volume.cpp,
-// approximate_polyhedra.cpp
+// corners over its faces add up to the volume. Cost: 0.5 us a pair of cubes. Tests:
+// tests/libcontact/overlap_volume.cpp, approximate_polyhedra.cpp
 #pragma once
 
 #include "libcontact/methods/overlap_body.h"
