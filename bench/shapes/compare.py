@@ -184,7 +184,7 @@ def report(runs, out):
         errors(runs)
     table(runs, "plane", "In the plane")
     warn(runs)
-    figure.draw(out, {group: [(shape, {key: (statistics.mean(v), half_width(v)) for key in ["ns_step"] + BULK
+    figure.draw(out, {group: [(shape, {key: (statistics.mean(v), half_width(v) if len(v) > 2 else math.inf) for key in ["ns_step"] + BULK
                                        if (v := values_of(runs, group, shape, key))}) for shape in shapes_of(runs, group)]
                       for group in ("space", "grain")})
 
