@@ -83,8 +83,8 @@ struct Contacts {
   // coherence.h. Both are empty when all are spheres and in cells that deform.
   std::vector<double> travel;       // per particle: at least the way of its farthest point since the last rebuild, m
   std::vector<double> apart_until;  // per record: the sum of its bodies' travels up to which it is apart; 0: unknown
-  // Way of the farthest body and of the farthest wall in this step; its sum since the awake were listed; up to where their
-  // list holds, m. See sleep.h.
+  // Way of the farthest body and of the farthest wall in this step; its sum since the awake were listed; up to where
+  // their list holds, m. See sleep.h.
   double step_way = 0, way = 0, way_allowed = -1;
 
   std::vector<Bin> bins;      // of the records that are in no group

@@ -238,8 +238,8 @@ class ForcePass {
 
   // A touching contact as a query answered it.
   struct Meeting {
-    std::uint32_t a, b;  // their places
-    bool wall;           // b is one
+    std::uint32_t a, b;    // their places
+    bool wall;             // b is one
     double overlap;        // m
     Vec3d normal, centre;  // relative to a's centre
     const double* spread;  // of the patch

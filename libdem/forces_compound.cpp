@@ -275,8 +275,8 @@ void CompoundPass::act(Working& w, Scratch& s, Tally& t) const {
     load_pair(n, p_.material[m.a] * materials + material_b, s);
     s.pair[n] = ~std::uint32_t(0);  // the lane holds a share of it
     gather(m.record, n,
-           {m.a, m.b, m.wall, m.touches ? m.contact.common_overlap : m.contact.overlap, m.normal, m.patch.centre, m.patch.spread,
-            m.offset, m.rotation_a, m.rotation_b, m.of_a.radius, m.of_b.radius,
+           {m.a, m.b, m.wall, m.touches ? m.contact.common_overlap : m.contact.overlap, m.normal, m.patch.centre,
+            m.patch.spread, m.offset, m.rotation_a, m.rotation_b, m.of_a.radius, m.of_b.radius,
             m.touches ? m.contact.common_centre : m.patch.centre},
            s);
     apply_map(m.record, n, m.of_a.body, m.of_b.body, m.normal, {}, s);

@@ -103,7 +103,8 @@ def write(path, text):
 
 
 def fill(name, count, width):
-    """Bodies that are to fall: a tenth of the region is solid, of the plane a quarter. Boulders begin under the fine."""
+    """Bodies that are to fall: a tenth of the region is solid, of long grains 6 %, of the plane a quarter. Boulders begin
+    under the fine."""
     shapes, plane = KINDS[name]
     if name == "sizes_1_20":
         boxes = (("boulder", BOULDERS, 0.001, 0.13), ("fine", FINE, 0.13, 0.23))
@@ -112,7 +113,7 @@ def fill(name, count, width):
     if plane:
         upper = [width, count * AREA / 0.25 / width, 0]
     else:
-        upper = [width, width, count * VOLUME / 0.1 / width**2]
+        upper = [width, width, count * VOLUME / (0.06 if name.startswith("grains") else 0.1) / width**2]
     items = ", ".join(f'{{ shape = "{name}", material = "soft" }}' for name in shapes)
     lower = [0, 0.002, 0] if plane else [0, 0, 0.002]
     return f"[[fill]]\nlower = {lower}\nupper = {upper}\ncount = {count}\nitems = [{items}]\n"

@@ -69,8 +69,8 @@ struct Snapshot {
   std::array<bool, 3> periodic{};  // axes
   Vec3d lower{}, length{};         // of the cell along the periodic axes, m
 
-  // Of a running world or a frame of its record, J: stored in contacts. Of the former alone, with law.ledger, lost up to
-  // now by contact::Mechanism; else empty.
+  // Of a running world or a frame of its record, J: stored in contacts. Of the former alone, with law.ledger, lost up
+  // to now by contact::Mechanism; else empty.
   std::optional<double> elastic;
   std::vector<double> dissipated;
 

@@ -55,8 +55,8 @@ class Cells {
     for (std::size_t i = 0; i < count; ++i) member_[next[cell[i]]++] = members[i];
   }
 
-  // visit(first, last) for runs of places in order() that hold every point no farther than `range` from x along each axis,
-  // and others near them, each once.
+  // visit(first, last) for runs of places in order() that hold every point no farther than `range` from x along each
+  // axis, and others near them, each once.
   template <class Visit>
   void near(const shapes::Vec3d& x, double range, Visit visit) const {
     std::int64_t from[3], to[3];
@@ -75,7 +75,8 @@ class Cells {
         const std::int64_t row = (inside(z, 2) * number_[1] + inside(y, 1)) * number_[0];
         for (std::int64_t first = from[0]; first <= to[0];) {  // runs of cells up to the end of the row
           const std::int64_t begin = inside(first, 0), length = std::min(to[0] - first, number_[0] - 1 - begin);
-          visit(start_[static_cast<std::size_t>(row + begin)], start_[static_cast<std::size_t>(row + begin + length) + 1]);
+          visit(start_[static_cast<std::size_t>(row + begin)],
+                start_[static_cast<std::size_t>(row + begin + length) + 1]);
           first += length + 1;
         }
       }

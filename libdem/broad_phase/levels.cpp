@@ -51,7 +51,9 @@ std::vector<std::uint32_t> order_in_space(const std::vector<Motion>& bodies, dou
   }
   std::vector<std::uint32_t> all(bodies.size());
   std::iota(all.begin(), all.end(), 0U);
-  return Cells(all, [&](std::uint32_t i) -> const Vec3d& { return bodies[i].position; }, side, box).order();
+  return Cells(
+             all, [&](std::uint32_t i) -> const Vec3d& { return bodies[i].position; }, side, box)
+      .order();
 }
 
 }  // namespace dem

@@ -1,7 +1,7 @@
 // Bodies of any sizes in grids of several widths: the bodies of a level have bounding radii within a factor of two, and
-// its cells are as wide as two of its largest. A body looks into every level as far as it reaches, so that a few large bodies
-// among many small ones, or the reverse, cost what their neighbours do; in one grid as wide as the largest bodies each
-// small one would look at all that fit into 27 of them. Bodies of about one size make one level.
+// its cells are as wide as two of its largest. A body looks into every level as far as it reaches, so that a few large
+// bodies among many small ones, or the reverse, cost what their neighbours do; in one grid as wide as the largest
+// bodies each small one would look at all that fit into 27 of them. Bodies of about one size make one level.
 #pragma once
 
 #include <vector>

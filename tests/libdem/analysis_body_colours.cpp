@@ -60,7 +60,7 @@ TEST(AnalysisBodyColours, FieldsOfKnownMotion) {
   expect_all("strain", 0);  // a rigid turn has none
   expect_all("volume_change", 0);
   expect_all("non_affine", 0, 1e-7);  // the root of what rounding leaves
-  expect_all("rotation", 2 * s);  // |∇ × u| of a finite turn
+  expect_all("rotation", 2 * s);      // |∇ × u| of a finite turn
   expect_all("vorticity", shear);
   // Shear rate: the deviator of a simple shear's symmetric part, as of one gradient.
   Mat3d simple{};
