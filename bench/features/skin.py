@@ -1,12 +1,10 @@
 #!/usr/bin/env python3
 """skin.py [--reps N] [--quick] [--csv FILE] [--dem PROGRAM]
 
-What the list of candidates costs against the skin and against the side of the cells that it is made with.
+What the list of candidates costs against the skin. (The side of the cells that it is made with: bench_cells.)
 
 skin   the settled bed (libdem/scenes/bed_spheres.toml, 1000 steps), a drum that turns (libdem/scenes/drum.toml, its first 0.2 s), and
        cell lists alone: a list that is made anew at every step with hardly any skin. All ends must be the same, bit for bit
-cells  the program takes cells as wide as its largest reach: a diameter and the skin. Here a larger sphere that falls above the
-       bed makes them wider, all else equal; the list is made anew every second step, and what that takes is compared
 
 Medians over repetitions, turn by turn, with the range of ns/step. Needs build/release/bin/dem (./run builds it).
 --quick: one repetition, a fifth of the time. Exit status 1: states differ, or a run failed."""
@@ -23,9 +21,6 @@ import timed_run  # noqa: E402
 SCENES = os.path.join(timed_run.ROOT, "libdem", "scenes")
 BED, DRUM = os.path.join(SCENES, "bed_spheres.toml"), os.path.join(SCENES, "drum.toml")
 SKINS = [0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5, 1.0]  # diameters
-SIDES = [None, 1.5, 2, 3, 4, 5]                      # diameters; None: no larger sphere than those of the bed
-LARGEST, MIDDLE = 0.00105, 0.02087                   # m: largest sphere of the bed; middle of its box
-CELL_SKIN = 2e-4
 
 
 def turn_by_turn(given, rows):
@@ -68,33 +63,6 @@ def skins(given, name, scene, diameter, settings):
     return states, lines
 
 
-def cells(given):
-    steps = 40 if given.quick else 200
-    settings = [f"run.steps={steps}", f"run.skin={CELL_SKIN}", "run.rebuild_every=2"]
-    with open(BED, encoding="utf-8") as file:
-        text = file.read().replace("../../bench", os.path.join(timed_run.ROOT, "bench"))
-    with tempfile.TemporaryDirectory() as folder:
-        rows = []
-        for side in SIDES:
-            radius = LARGEST if side is None else (side * 2 * 0.001 - CELL_SKIN) / 2
-            path = os.path.join(folder, f"{side}.toml")
-            with open(path, "w", encoding="utf-8") as file:
-                file.write(text + f'\n[[body]]\nshape = "ball"\nmaterial = "soft"\nposition = [{MIDDLE}, {MIDDLE}, 0.06]\n'
-                                  f"scale = {radius / 0.001:.9g}\n")
-            rows.append((f"{(2 * radius + CELL_SKIN) / 0.002:.2f}", path, settings))
-        found = turn_by_turn(given, rows)
-    print("Side of the cells (the bed, a list made every second step)")
-    table = [["side, diameters", "list, us per body and rebuild (range)", "x the narrowest"]]
-    base, lines = None, []
-    for label, timed in found.items():
-        times = [1e6 * t.seconds("broad_phase") / (t.summary["particles"] * t.summary["counters"]["rebuilds"]) for t in timed]
-        base = base or statistics.median(times)
-        table.append([label, f"{statistics.median(times):.3f} ({min(times):.3f}–{max(times):.3f})", f"{statistics.median(times) / base:.2f}"])
-        lines += [("cells", label, t.summary["counters"]["rebuilds"], loop_ns(t), list_ns(t)) for t in timed]
-    timed_run.print_table(table)
-    return lines
-
-
 def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("--reps", type=int, default=5)
@@ -115,12 +83,11 @@ def main():
             lines += rows
             same = same and len(states) == 1
             print(f"{name}: the state at the end {'is the same for every skin' if len(states) == 1 else f'DIFFERS: {sorted(states)}'}\n")
-        lines += cells(given)
     except timed_run.Failed as fault:
         sys.exit(str(fault))
     if given.csv:
         with open(given.csv, "w", encoding="utf-8", newline="") as file:
-            csv.writer(file).writerows([("scene", "skin_or_side", "rebuilds", "ns_step", "list_ns_step")] + lines)
+            csv.writer(file).writerows([("scene", "skin", "rebuilds", "ns_step", "list_ns_step")] + lines)
     return 0 if same else 1
 
 

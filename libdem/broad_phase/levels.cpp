@@ -30,12 +30,12 @@ double largest_of(const std::vector<std::uint32_t>& level, const std::vector<Mot
 
 }  // namespace
 
-Levels::Levels(const std::vector<Motion>& bodies, double skin, const Cell& box)
+Levels::Levels(const std::vector<Motion>& bodies, double skin, const Cell& box, double side)
     : bodies_(bodies), skin_(skin), lattice_(box.lattice) {
   const auto position = [&](std::uint32_t i) -> const Vec3d& { return bodies[i].position; };
   for (const std::vector<std::uint32_t>& level : by_level(bodies)) {
     const double radius = largest_of(level, bodies);
-    Level& fresh = levels_.emplace_back(Level{radius, Cells(level, position, 2 * radius + skin, box), {}});
+    Level& fresh = levels_.emplace_back(Level{radius, Cells(level, position, side * (2 * radius + skin), box), {}});
     for (const std::uint32_t i : fresh.cells.order())
       fresh.balls.push_back({bodies[i].position, bodies[i].bounding_radius});
   }

@@ -13,7 +13,8 @@ namespace dem {
 
 class Levels {
  public:
-  Levels(const std::vector<Motion>& bodies, double skin, const Cell& box);
+  // side: of the cells, over twice the largest radius and the skin; only the time that a search takes depends on it.
+  Levels(const std::vector<Motion>& bodies, double skin, const Cell& box, double side = 1);
 
   // visit(j) for every body j whose bounding sphere is nearer than the skin to that of body i, i itself included.
   template <class Visit>
