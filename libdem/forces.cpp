@@ -435,13 +435,25 @@ void compute_forces(World& world, int threads, double dt) {
   world.times.query += seconds_since(begin);
 }
 
+constexpr std::size_t bodies_ahead = 6;       // whose slots are fetched while one is summed,
+constexpr std::size_t near_bytes = 8U << 20;  // where they are too many for the caches near the core
+
 void sum_forces(World& world, int threads) {
   const auto begin = std::chrono::steady_clock::now();
   const Contacts& c = world.contacts;
   Particles& p = world.particles;
   const KernelSet& set = contact::kernels::kernels();
+  const bool far = c.slot.size() * sizeof(Slot) > near_bytes;
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::size_t i = 0; i < p.count(); ++i) {
+    if (const std::size_t next = i + bodies_ahead; far && next < p.count()) {
+      const std::uint32_t* entry = c.active.data() + c.incidence_start[next];
+      for (std::uint32_t e = 0; e < c.active_count[next]; ++e) {
+        const char* slot = reinterpret_cast<const char*>(&c.slot[entry[e] >> 1]);
+        __builtin_prefetch(slot);
+        __builtin_prefetch(slot + 64);
+      }
+    }
     contact::kernels::Total total;
     set.sum_slots(c.slot.data(), c.active.data() + c.incidence_start[i], c.active_count[i], total);
     p.force[i] = {total.force[0], total.force[1], total.force[2]};

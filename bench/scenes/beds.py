@@ -164,6 +164,6 @@ def make(dem, name, count, cache, folder, log):
                 out.write(",".join(repr(float(row[c]) + shift[c]) if shift.get(c) else row[c] for c in columns) + "\n")
     size = along * width if plane else (along * width, tiles // along * width)
     path = os.path.join(folder, "bed.toml")
-    write(path, scene(shapes, plane, size, "steps = 1000\ndt_fraction = 0.3",
+    write(path, scene(shapes, plane, size, "steps = 1000\ndt_fraction = 0.3\nmax_initial_overlap = 0.2",
                       '[[bodies_csv]]\nfile = "bodies.csv"\nmaterial = "soft"\n'))
     return path

@@ -172,12 +172,13 @@ def main():
     args.reps = 1 if args.quick else args.reps
     os.makedirs(args.cache, exist_ok=True)
     print("\n".join(versions(args.dem)))
-    found = {}
-    try:
-        for name in wanted:
+    found, status = {}, 0
+    for name in wanted:
+        try:
             found[name] = measure(args, name)
-    except Stopped as stopped:
-        sys.exit(str(stopped))
+        except Stopped as stopped:
+            status = 1
+            print(f"{name} stopped: {stopped}", flush=True)
     print()
     for row in rows_of(found):
         print("{:<20}{:<10}{:>9}{:>9}{:>9}{:>12}{:>10}".format(*row))
@@ -187,7 +188,7 @@ def main():
     if args.json:
         with open(args.json, "w", encoding="utf-8") as file:
             json.dump({"versions": versions(args.dem), "results": found}, file, indent=1)
-    return 0
+    return status
 
 
 if __name__ == "__main__":
