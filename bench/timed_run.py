@@ -30,11 +30,11 @@ class Timed:
         return self.summary["particle_steps_per_s"] * self.summary["seconds"]["loop"]
 
 
-def watched(command, messages):
+def watched(command, messages, folder=None, environment=None):
     """Runs a program: wall time, what it used, peak of its memory in MB, exit code. The kernel's own figure for a child begins with
     the memory of the parent, so the peak is looked up while the child lives."""
     began, peak = time.time(), 0
-    child = subprocess.Popen(command, stdout=messages, stderr=messages)
+    child = subprocess.Popen(command, cwd=folder, env=environment, stdin=subprocess.DEVNULL, stdout=messages, stderr=messages)
     while True:
         ended, status, usage = os.wait4(child.pid, os.WNOHANG)
         if ended:
@@ -68,14 +68,17 @@ def run_text(program, folder, text, settings=()):
     return run(program, folder, path, settings)
 
 
+def processor():
+    with open("/proc/cpuinfo", encoding="utf-8") as file:
+        return next((line.split(":")[1].strip() for line in file if line.startswith("model name")), "unknown")
+
+
 def about(program):
     """Version of the program, processor, command."""
     if not os.path.exists(program):
         sys.exit(f"{program} is not there: build first (./run does)")
     version = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout.strip()
-    with open("/proc/cpuinfo", encoding="utf-8") as file:
-        processor = next((line.split(":")[1].strip() for line in file if line.startswith("model name")), "unknown")
-    return {"version": version, "processor": processor, "command": " ".join(["python3"] + sys.argv)}
+    return {"version": version, "processor": processor(), "command": " ".join(["python3"] + sys.argv)}
 
 
 def print_table(rows):

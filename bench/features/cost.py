@@ -24,6 +24,7 @@ import tempfile
 BENCH = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 sys.path[:0] = [BENCH, os.path.join(BENCH, "shapes")]
 import scenes  # noqa: E402
+from scene_text import SOFT  # noqa: E402
 import timed_run  # noqa: E402
 
 BED = os.path.join(timed_run.ROOT, "libdem", "scenes", "bed_spheres.toml")
@@ -128,14 +129,7 @@ gravity = [0, -9.81, 0]
 {world}[law]
 name = "hertz_mindlin"
 map = "equivalent_radius"
-[[material]]
-name = "soft"
-young = 1e7
-poisson = 0.3
-density = 2500
-restitution = 0.8
-friction = 0.5
-[[shape]]
+{SOFT}[[shape]]
 name = "ball"
 {shape}
 radius = 0.001

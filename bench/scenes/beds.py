@@ -10,6 +10,7 @@ import os
 import subprocess
 
 from programs import run_dem
+from scene_text import QUIET, SOFT  # found by programs
 
 RADIUS = 1e-3
 VOLUME = 4 / 3 * math.pi * RADIUS**3
@@ -61,12 +62,7 @@ def scene(shapes, plane, width, run, bodies):
     size = [width, 1, 0] if plane else list(width) + [1]
     return f"""[run]
 {run}
-[output]
-vtk = false
-hdf5 = false
-picture = false
-walls = false
-
+{QUIET}
 [world]
 gravity = {"[0, -9.81, 0]" if plane else "[0, 0, -9.81]"}
 {"dimension = 2" + chr(10) + "thickness = 0.002" if plane else ""}
@@ -79,14 +75,7 @@ upper = {size}
 name = "hertz_mindlin"
 {'map = "equivalent_radius"' if plane else ""}
 
-[[material]]
-name = "soft"
-young = 1e7
-poisson = 0.3
-density = 2500
-restitution = 0.8
-friction = 0.5
-
+{SOFT}
 {tables}[[wall]]
 name = "floor"
 kind = "{"line" if plane else "plane"}"

@@ -21,9 +21,9 @@ import tempfile
 
 import beds
 import spheres
-from programs import Stopped, deck, dem_result, run_dem, run_yade, versions
+from programs import deck, dem_result, run_dem, run_yade, versions
+from timed_run import PROGRAM, ROOT, Failed  # found by programs
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 BEDS = {"ellipsoids": 10_000, "ellipsoids_1e5": 100_000, "cubes": 10_000, "icosahedra": 10_000, "grains_coarse": 10_000,
         "grains_fine": 10_000, "discs": 10_000, "ellipses": 10_000, "hexagons": 10_000, "crosses": 10_000, "spheres": 10_000,
         "sizes_1_20": None}
@@ -42,7 +42,7 @@ def arguments():
     parser.add_argument("--without", default="", help="programs to leave out: lammps, liggghts, yade")
     parser.add_argument("--json", help="writes every result to this file")
     parser.add_argument("--cache", default=os.path.join(ROOT, "build", "beds"))
-    parser.add_argument("--dem", default=os.path.join(ROOT, "build", "release", "bin", "dem"))
+    parser.add_argument("--dem", default=PROGRAM)
     return parser.parse_args()
 
 
@@ -176,7 +176,7 @@ def main():
     for name in wanted:
         try:
             found[name] = measure(args, name)
-        except Stopped as stopped:
+        except Failed as stopped:
             status = 1
             print(f"{name} stopped: {stopped}", flush=True)
     print()

@@ -4,27 +4,24 @@ import os
 import re
 import shutil
 import subprocess
-import time
+import sys
+import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-
-
-class Stopped(Exception):
-    """A program ended with an error; the message says which."""
+sys.path.insert(0, os.path.dirname(HERE))
+import timed_run  # noqa: E402
 
 
 def timed(command, cores, folder, environment=None):
     """Runs a command on the first `cores` cores; (what it printed, share of these cores in percent, peak memory in bytes)."""
-    began = time.time()
     pinned = ["taskset", "-c", ",".join(map(str, range(cores)))] + command
-    with subprocess.Popen(pinned, cwd=folder, env=dict(os.environ, **(environment or {})), stdin=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as process:
-        text = process.stdout.read()
-        _, status, used = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-    if process.returncode:
-        raise Stopped(f"{' '.join(command)}\n{text[-2000:]}\nexit status {process.returncode}")
-    return text, 100 * (used.ru_utime + used.ru_stime) / (time.time() - began) / cores, used.ru_maxrss * 1024
+    with tempfile.TemporaryFile("w+", encoding="utf-8") as messages:
+        wall, usage, memory, code = timed_run.watched(pinned, messages, folder, dict(os.environ, **(environment or {})))
+        messages.seek(0)
+        text = messages.read()
+    if code:
+        raise timed_run.Failed(f"{' '.join(command)}\n{text[-2000:]}\nexit status {code}")
+    return text, 100 * (usage.ru_utime + usage.ru_stime) / wall / cores, memory * 2**20
 
 
 def result(bodies, steps, wall, contacts, share, memory, note="", kinetic=None):
@@ -91,6 +88,5 @@ def versions(dem):
             lines.append(f"{text or program}: the system's package, built for the baseline instruction set (SSE2)")
         else:
             lines.append(f"{package}: not installed, not compared (apt-get install {package})")
-    with open("/proc/cpuinfo", encoding="utf-8") as file:
-        lines.append(next((line.split(":")[1].strip() for line in file if line.startswith("model name")), "processor not known"))
+    lines.append(timed_run.processor())
     return lines

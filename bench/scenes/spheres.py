@@ -4,17 +4,14 @@ import gzip
 import math
 import os
 import re
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from scene_text import QUIET, SOFT  # noqa: E402
 
 DATA = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "data")
 DT, SKIN = 1e-5, 2e-4  # s, m
-MATERIAL = """[[material]]
-name = "soft"
-young = 1e7
-poisson = 0.3
-density = 2500
-restitution = 0.8
-friction = 0.5
-
+MATERIAL = SOFT + """
 [[shape]]
 name = "ball"
 kind = "sphere"
@@ -29,12 +26,7 @@ HEAD = """[run]
 steps = 1000
 dt = 1e-5
 
-[output]
-vtk = false
-hdf5 = false
-picture = false
-walls = false
-
+""" + QUIET + """
 [world]
 gravity = [0, 0, -9.81]
 
