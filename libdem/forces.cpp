@@ -17,6 +17,14 @@
 namespace dem {
 namespace {
 
+// Both lines of a slot. Always inline, as is what calls it: a function that only fetches has no effect, and calls of it
+// are dropped.
+[[gnu::always_inline]] inline void fetch(const Slot& slot) {
+  const char* at = reinterpret_cast<const char*>(&slot);
+  __builtin_prefetch(at);
+  __builtin_prefetch(at + 64);
+}
+
 class PairPass : public ForcePass {
  public:
   using ForcePass::ForcePass;
@@ -274,15 +282,12 @@ class PairPass : public ForcePass {
     return t;
   }
 
-  // What is read of record k once it has been answered. Always inline: a function that only fetches has no effect, and
-  // calls of it are dropped.
+  // What is read of record k once it has been answered.
   [[gnu::always_inline]] void prefetch(std::size_t k) const {
     __builtin_prefetch(&c_.cache[k], 1);
     __builtin_prefetch(&c_.centre[k], 1);
     __builtin_prefetch(&c_.history[k], 1);
-    const char* slot = reinterpret_cast<const char*>(&c_.slot[k]);
-    __builtin_prefetch(slot, 1);
-    __builtin_prefetch(slot + 64, 1);
+    fetch(c_.slot[k]);
   }
 
   // Beyond each other's middle. Sharp edges turn a normal by more than a right angle, regions change places; the slope
@@ -448,11 +453,7 @@ void sum_forces(World& world, int threads) {
   for (std::size_t i = 0; i < p.count(); ++i) {
     if (const std::size_t next = i + bodies_ahead; far && next < p.count()) {
       const std::uint32_t* entry = c.active.data() + c.incidence_start[next];
-      for (std::uint32_t e = 0; e < c.active_count[next]; ++e) {
-        const char* slot = reinterpret_cast<const char*>(&c.slot[entry[e] >> 1]);
-        __builtin_prefetch(slot);
-        __builtin_prefetch(slot + 64);
-      }
+      for (std::uint32_t e = 0; e < c.active_count[next]; ++e) fetch(c.slot[entry[e] >> 1]);
     }
     contact::kernels::Total total;
     set.sum_slots(c.slot.data(), c.active.data() + c.incidence_start[i], c.active_count[i], total);

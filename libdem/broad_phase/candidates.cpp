@@ -134,11 +134,10 @@ void sort_in_space(World& world) {
 
 constexpr std::uint64_t sort_every = 16;  // rebuilds
 
-// Returns whether the kernels of spheres answer all records.
+// There are none yet. Returns whether the kernels of spheres answer all records.
 bool fill_bins(World& world) {
   Contacts& c = world.contacts;
   const Particles& p = world.particles;
-  c.bins.clear();
   std::array<int, 4 * shapes::kind_count * shapes::kind_count> bin_of;
   bin_of.fill(-1);
   const std::vector<char> in_regions = shapes_with_regions(world);
