@@ -5,101 +5,47 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libdem/broad_phase/cells.h"
 #include "libdem/build.h"
 
 namespace dem::analysis {
 namespace {
 
-// Bodies by cells at least as wide as the largest pair's reach; along periodic axes the cells go round.
-class Cells {
- public:
-  Cells(const Snapshot& s, double reach) : s_(s) {
-    Vec3d upper{};
-    for (int k = 0; k < 3; ++k) {
-      const bool wraps = periodic(k);
-      lower_[k] = wraps ? s.lower[k] : s.position[0][k];
-      upper[k] = wraps ? s.lower[k] + s.length[k] : s.position[0][k];
-    }
-    for (const Vec3d& x : s.position)
-      for (int k = 0; k < 3; ++k)
-        if (!periodic(k)) {
-          lower_[k] = std::min(lower_[k], x[k]);
-          upper[k] = std::max(upper[k], x[k]);
-        }
-    const double most = std::cbrt(4.0 * static_cast<double>(s.count())) + 1;  // along an axis
-    for (int k = 0; k < 3; ++k) {
-      const double width = upper[k] - lower_[k];
-      count_[k] = static_cast<long>(std::clamp(std::floor(width / reach), 1.0, std::max(most, 1.0)));
-      inverse_[k] = width > 0 ? static_cast<double>(count_[k]) / width : 0;
-    }
-    start_.resize(static_cast<std::size_t>(count_[0] * count_[1] * count_[2]) + 1);
-    std::vector<std::size_t> cell;
-    for (const Vec3d& x : s.position) {
-      cell.push_back(place(along(x, 0), along(x, 1), along(x, 2)));
-      ++start_[cell.back() + 1];
-    }
-    for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
-    bodies_.resize(s.count());
-    std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
-    for (std::uint32_t i = 0; i < s.count(); ++i) bodies_[next[cell[i]]++] = i;
+Cell cell_of(const Snapshot& s) {
+  Cell cell;
+  cell.lower = s.lower;
+  for (int k = 0; k < 3; ++k) {
+    if (!s.periodic[static_cast<std::size_t>(k)]) continue;
+    cell.periodic = true;
+    cell.lattice.length[k] = s.length[k];
+    cell.lattice.inverse[k] = 1 / s.length[k];
   }
-
-  // visit(j) for every body in the cells at and around that of x, each once.
-  template <class Visit>
-  void around(const Vec3d& x, Visit visit) const {
-    long near[3][3];
-    int many[3];
-    for (int k = 0; k < 3; ++k) many[k] = neighbours(k, along(x, k), near[k]);
-    for (int c = 0; c < many[2]; ++c)
-      for (int b = 0; b < many[1]; ++b)
-        for (int a = 0; a < many[0]; ++a) {
-          const std::size_t cell = place(near[0][a], near[1][b], near[2][c]);
-          for (std::size_t n = start_[cell]; n < start_[cell + 1]; ++n) visit(bodies_[n]);
-        }
-  }
-
- private:
-  bool periodic(int k) const { return s_.periodic[static_cast<std::size_t>(k)]; }
-  long along(const Vec3d& x, int k) const {
-    return std::clamp(static_cast<long>(std::floor((x[k] - lower_[k]) * inverse_[k])), 0L, count_[k] - 1);
-  }
-  std::size_t place(long i, long j, long k) const {
-    return static_cast<std::size_t>(i + count_[0] * (j + count_[1] * k));
-  }
-  int neighbours(int k, long at, long (&list)[3]) const {
-    int n = 0;
-    for (long d = -1; d <= 1; ++d) {
-      long i = at + d;
-      if (periodic(k)) i = (i + count_[k]) % count_[k];
-      if (i < 0 || i >= count_[k] || std::find(list, list + n, i) != list + n) continue;
-      list[n++] = i;
-    }
-    return n;
-  }
-
-  const Snapshot& s_;
-  Vec3d lower_{}, inverse_{};
-  long count_[3]{};
-  std::vector<std::size_t> start_;
-  std::vector<std::uint32_t> bodies_;
-};
+  return cell;
+}
 
 }  // namespace
 
 void find_sphere_contacts(Snapshot& s, double gap) {
   double largest = 0;
-  for (std::size_t i = 0; i < s.count(); ++i)
-    if (is_round(s.shape_of(i).kind)) largest = std::max(largest, s.radius[i]);
-  if (!(largest > 0)) return;
-  const Cells cells(s, 2 * largest * (1 + gap));
-  std::vector<std::uint32_t> partners;
+  std::vector<std::uint32_t> round;
   for (std::uint32_t i = 0; i < s.count(); ++i) {
     if (!is_round(s.shape_of(i).kind)) continue;
+    largest = std::max(largest, s.radius[i]);
+    round.push_back(i);
+  }
+  if (!(largest > 0)) return;
+  const double wider = (1 + gap) * (1 + 0x1p-20);  // those that just touch are not to be missed by rounding
+  const Cells cells(
+      round, [&](std::uint32_t i) -> const Vec3d& { return s.position[i]; }, 2 * largest * wider, cell_of(s));
+  std::vector<std::uint32_t> partners;
+  for (const std::uint32_t i : round) {
     partners.clear();
-    cells.around(s.position[i], [&](std::uint32_t j) {
-      if (j <= i || !is_round(s.shape_of(j).kind)) return;
-      const double sum = s.radius[i] + s.radius[j];
-      if (norm(s.between(s.position[i], s.position[j])) <= sum * (1 + gap)) partners.push_back(j);  // (1)
+    cells.near(s.position[i], (s.radius[i] + largest) * wider, [&](std::uint32_t first, std::uint32_t last) {
+      for (std::uint32_t k = first; k < last; ++k) {
+        const std::uint32_t j = cells.order()[k];
+        const double sum = s.radius[i] + s.radius[j];
+        if (j > i && norm(s.between(s.position[i], s.position[j])) <= sum * (1 + gap)) partners.push_back(j);  // (1)
+      }
     });
     std::sort(partners.begin(), partners.end());
     for (const std::uint32_t j : partners) {
