@@ -73,35 +73,14 @@ bool polyhedron_plane(const Body& a, const Vec3d& wall, double above, OverlapDep
   return true;
 }
 
-// What a half plane or a convex polygon leaves of another one.
-Corners outline(const shapes::Polygon& p, const Placement& place) {
-  Corners corners;
-  for (const Vec3d& v : p.vertices) corners.push_back({place.point(v), PlanarOverlap::of_a});
-  return corners;
-}
-bool finish(const Corners& region, double size, double up, OverlapDepth& out) {
-  if (region.size() < 3) return false;
-  PlanarOverlap overlap;
-  overlap.add(region, [](std::uint32_t side) { return side; });
-  DepthSlope slope;
-  if (!overlap.slope(size, slope)) return false;
-  out = line_of_action(slope);
-  rescale(out, up);
-  return true;
-}
-
 bool polygons(const Body& a, const Body& b, const Vec3d& offset, OverlapDepth& out) {
   double up = 1;
   const PlacedPolygons pair =
       placed_polygons(contact::placed<shapes::Polygon>(a), contact::placed<shapes::Polygon>(b), offset, up);
   if (!(pair.size > 0) || !pair.a.convex || !pair.b.convex) return false;
-  Corners buffer[2] = {outline(pair.a, pair.place_a), {}}, *region = buffer, *other = buffer + 1;
-  for (std::size_t k = 0; k < pair.b.normals.size() && region->size() >= 3; ++k) {
-    const Vec3d n = pair.place_b.direction(pair.b.normals[k]);
-    cut(*region, n, pair.place_b.scale * pair.b.offsets[k] + dot(n, pair.place_b.at), PlanarOverlap::of_b, *other);
-    std::swap(region, other);
-  }
-  return finish(*region, smaller(a, b) / up, up, out);
+  if (!outlines_depth(Loop(pair.a, pair.place_a), Loop(pair.b, pair.place_b), smaller(a, b) / up, out)) return false;
+  rescale(out, up);
+  return true;
 }
 
 bool polygon_line(const Body& a, const Vec3d& wall, double height, OverlapDepth& out) {
@@ -109,10 +88,13 @@ bool polygon_line(const Body& a, const Vec3d& wall, double height, OverlapDepth&
   const double size = circumradius(a);
   if (!extent_in_range(size) || !p.convex) return false;
   const Scale unit = scale_of(size);
-  Corners below;
-  cut(outline(p, placement(contact::placed<shapes::Polygon>(a), unit.down, {})), wall, -height * unit.down,
-      PlanarOverlap::of_b, below);
-  return finish(below, size * unit.down, unit.up, out);
+  const Placement place = placement(contact::placed<shapes::Polygon>(a), unit.down, {});
+  Corners whole, below;
+  for (const Vec3d& v : p.vertices) whole.push_back({place.point(v), PlanarOverlap::of_a});
+  cut(whole, wall, -height * unit.down, PlanarOverlap::of_b, below);
+  if (!outline_depth(below, size * unit.down, out)) return false;
+  rescale(out, unit.up);
+  return true;
 }
 
 }  // namespace

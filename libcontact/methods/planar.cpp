@@ -89,20 +89,21 @@ Contact ellipse_polygon(const Placed<shapes::Ellipse>& a, const Placed<shapes::P
 
 void polygon_pair(const Placed<shapes::Polygon>& a, const Placed<shapes::Polygon>& b, const Vec3d& offset,
                   const Options& options, SideContact& known, Contact& c) {
-  const double extent = max_abs(offset) + (a.scale * a.shape->circumradius + b.scale * b.shape->circumradius);
+  const double radius_a = a.scale * a.shape->circumradius, radius_b = b.scale * b.shape->circumradius;
+  const double extent = max_abs(offset) + (radius_a + radius_b);
   if (!(a.scale > 0 && b.scale > 0 && extent_in_range(extent) && all_at_least(offset, -extent))) return;
   const Scale unit = scale_of(extent);
   const Placement place_a = placement(a, unit.down, {}), place_b = placement(b, unit.down, unit.down * offset);
-  const double size = 2 * extent * unit.down;
+  const PairSize size{2 * extent * unit.down, std::min(radius_a, radius_b) * unit.down, unit.up};
   if (a.shape->convex && b.shape->convex)
-    return loop_pair(Loop(*a.shape, place_a), Loop(*b.shape, place_b), size, unit.up, options, known, c);
+    return loop_pair(Loop(*a.shape, place_a), Loop(*b.shape, place_b), size, options, known, c);
   known = {};
   if (deepest_region(a, b, offset, options, c)) return;
   for (const auto& part : a.shape->parts)
     for (const auto& other : b.shape->parts) {
       SideContact none;
       Contact one = refused();
-      loop_pair(Loop(part, place_a), Loop(other, place_b), size, unit.up, options, none, one);
+      loop_pair(Loop(part, place_a), Loop(other, place_b), size, options, none, one);
       keep_nearest(c, one);
     }
 }

@@ -1,6 +1,7 @@
 #include "libcontact/methods/planar_slope.h"
 
 #include <cmath>
+#include <utility>
 
 namespace contact {
 
@@ -67,6 +68,27 @@ bool PlanarOverlap::slope(double size, DepthSlope& out) const {
   });
   out.centroid = apex + centre;
   return true;
+}
+
+bool outline_depth(const Corners& region, double smaller, OverlapDepth& out) {
+  if (region.size() < 3) return false;
+  PlanarOverlap overlap;
+  overlap.add(region, [](std::uint32_t side) { return side; });
+  DepthSlope slope;
+  if (!overlap.slope(smaller, slope)) return false;
+  out = line_of_action(slope);
+  return true;
+}
+
+bool outlines_depth(const Loop& a, const Loop& b, double smaller, OverlapDepth& out) {
+  Corners buffer[2], *region = buffer, *other = buffer + 1;
+  for (std::uint32_t i = 0; i < a.size(); ++i) region->push_back({a.vertex(i), PlanarOverlap::of_a});
+  for (std::uint32_t k = 0; k < b.size() && region->size() >= 3; ++k) {
+    const Vec3d n = b.normal(k);
+    cut(*region, n, b.height(k, n), PlanarOverlap::of_b, *other);
+    std::swap(region, other);
+  }
+  return outline_depth(*region, smaller, out);
 }
 
 }  // namespace contact

@@ -41,4 +41,9 @@ class PlanarOverlap {
   ShortList<std::uint32_t, 8> ends_;
 };
 
+// Of two convex loops. False: as above, or they do not overlap.
+bool outlines_depth(const Loop& a, const Loop& b, double smaller, OverlapDepth& out);
+// Of the overlap's outline, whose sides are named of_a, of_b.
+bool outline_depth(const Corners& overlap, double smaller, OverlapDepth& out);
+
 }  // namespace contact

@@ -165,8 +165,9 @@ void try_corners(const Loop& a, const Loop& b, double& value, Witness& w) {
 
 }  // namespace
 
-void loop_pair(const Loop& a, const Loop& b, double size, double up, const Options& options, SideContact& known,
+void loop_pair(const Loop& a, const Loop& b, const PairSize& pair, const Options& options, SideContact& known,
                Contact& c) {
+  const double size = pair.extent, up = pair.up;
   SideContact at = known;
   known = {};
   double value = 0;
@@ -195,7 +196,8 @@ void loop_pair(const Loop& a, const Loop& b, double size, double up, const Optio
   set(c, value, planar_half_width * size, up, w);
   if (!(value < 0)) return;
   known = at;
-  if (options.patch) polygon_patch(self(), other(), at, of_a() ? w.n : -w.n, value, w.foot - w.from, up, c.patch);
+  if (options.patch || options.measure)
+    polygon_patch({self(), other(), at, of_a() ? w.n : -w.n, value, w.foot - w.from}, pair.smaller, up, options, c);
 }
 
 }  // namespace contact

@@ -21,9 +21,14 @@ struct SideContact {
   std::uint32_t side = 0, corner = 0;
 };
 
-// The answer, to metres by `up`; size: the extent of the pair in units. `known`: what may answer it, any content; set
-// to what did when the bodies overlap. Out of range, the answer is left as it is.
-void loop_pair(const Loop& a, const Loop& b, double size, double up, const Options& options, SideContact& known,
+// In units, metres by `up`: the extent of the pair, the circumradius of the smaller body.
+struct PairSize {
+  double extent, smaller, up;
+};
+
+// The answer. `known`: what may answer it, any content; set to what did when the bodies overlap. Out of range, the
+// answer is left as it is.
+void loop_pair(const Loop& a, const Loop& b, const PairSize& pair, const Options& options, SideContact& known,
                Contact& c);
 
 }  // namespace contact

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libcontact/kernels/side_overlap.h"
+#include "libcontact/methods/planar_slope.h"
 #include "libcontact/methods/short_list.h"
+#include "libcontact/scale.h"
 
 namespace contact {
 
@@ -82,60 +85,64 @@ bool cut(Points*& region, Points*& spare, const Point& p, const Point& q) {
   return region->size() >= 3;
 }
 
-}  // namespace
+// The side's plane.
+class Frame {
+ public:
+  Frame(const SideView& view, double up)
+      : view_(view),
+        border_(view.other, view.at.corner, view.out, -view.gap),
+        n_(view.self.normals[view.at.side]),
+        start_(view.self.vertices[view.at.side]),
+        up_(up) {}
 
-void polygon_patch(const Loop& self, const Loop& other, const SideContact& at, const Vec3d& out, double gap,
-                   double from_start, double up, Patch& patch) {
-  const Vec3d n = self.normals[at.side], start = self.vertices[at.side];
-  const Border border(other, at.corner, out, -gap);
-  const auto corner = [&](std::uint32_t i) {
-    const Vec3d e = self.vertices[i] - start;
-    return Point{self.place.scale * (n.x * e.y - n.y * e.x) - from_start, -self.place.scale * dot_xy(n, e)};
-  };
-  const auto set = [&](double u, double h, double square) {
-    const Vec3d along{-out.y, out.x, 0}, foot = other.place.point(other.vertices[at.corner]) - gap * out;
-    const double m = square * up * up;
-    patch.centre = up * (foot + u * along - h * out);
-    patch.spread[0] = m * along.x * along.x;
-    patch.spread[1] = m * along.y * along.y;
-    patch.spread[3] = m * along.x * along.y;
-  };
-  const std::uint32_t second = self.next(at.side);
-  // One corner alone behind the side, clear of its ends: a triangle.
-  const Point before = border(other.before(at.corner)), after = border(other.next(at.corner));
-  const Point left_end = corner(at.side), left_next = corner(self.before(at.side));
-  const Point right_end = corner(second), right_next = corner(self.next(second));
-  if (!(before.h > 0) && !(after.h > 0) && left_next.h > -gap && right_next.h > -gap) {
-    const double d = -gap, l = d / (d - before.h) * before.u, r = d / (d - after.h) * after.u;
-    // The outer corners and the tip against the lines of the sides beyond.
-    const auto within = [&](const Point& p, const Point& q, double u, double h) {
-      return (p.h - q.h) * (u - p.u) + (q.u - p.u) * (h - p.h) >= 0;
-    };
-    const double low = std::min(l, r), high = std::max(l, r);
-    if (within(right_end, right_next, high, 0) && within(right_end, right_next, 0, d) &&
-        within(left_next, left_end, low, 0) && within(left_next, left_end, 0, d)) {
-      if ((high - low) * d > 0x1p-900) set((l + r) / 3, d / 3, (l * l + r * r - l * r) / 18);
-      return;
-    }
+  const Border& border() const { return border_; }
+  Point corner(std::uint32_t i) const {  // of self
+    const Loop& self = view_.self;
+    const Vec3d e = self.vertices[i] - start_;
+    return {self.place.scale * (n_.x * e.y - n_.y * e.x) - view_.from_start, -self.place.scale * dot_xy(n_, e)};
   }
+  Vec3d direction(double u, double h) const { return u * along() - h * view_.out; }
+  Vec3d point(double u, double h) const {
+    const Loop& other = view_.other;
+    return other.place.point(other.vertices[view_.at.corner]) - view_.gap * view_.out + direction(u, h);
+  }
+  void set_patch(double u, double h, double square, Patch& patch) const {
+    const double m = square * up_ * up_;
+    patch.centre = up_ * point(u, h);
+    patch.spread[0] = m * along().x * along().x;
+    patch.spread[1] = m * along().y * along().y;
+    patch.spread[3] = m * along().x * along().y;
+  }
+
+ private:
+  Vec3d along() const { return {-view_.out.y, view_.out.x, 0}; }
+  const SideView& view_;
+  Border border_;
+  Vec3d n_, start_;
+  double up_;
+};
+
+// The whole overlap, clipped.
+void clipped_patch(const SideView& view, const Frame& frame, Patch& patch) {
+  const Loop& self = view.self;
   Points lists[2];
   Points *region = lists, *spare = lists + 1;
-  behind_side(border, at.corner, *region);
+  behind_side(frame.border(), view.at.corner, *region);
   double deepest = 0;
   for (const Point& p : *region) deepest = std::max(deepest, p.h);
   // The sides of self behind this one, either way, until they run below the region: self being convex, they hold all of
   // its border that is as high.
-  std::uint32_t right = second, left = at.side;
-  for (Point p = right_end; self.next(right) != left;) {
+  std::uint32_t right = self.next(view.at.side), left = view.at.side;
+  for (Point p = frame.corner(right); self.next(right) != left;) {
     right = self.next(right);
-    const Point q = corner(right);
+    const Point q = frame.corner(right);
     if (!cut(region, spare, p, q)) return;
     if (q.h >= deepest) break;
     p = q;
   }
-  for (Point q = left_end; left != right;) {
+  for (Point q = frame.corner(view.at.side); left != right;) {
     left = self.before(left);
-    const Point p = corner(left);
+    const Point p = frame.corner(left);
     if (!cut(region, spare, p, q)) return;
     if (p.h >= deepest) break;
     q = p;
@@ -155,7 +162,52 @@ void polygon_patch(const Loop& self, const Loop& other, const SideContact& at, c
   }
   if (!(area > 0x1p-900)) return;
   const double u = first_u / area;
-  set(u, first_h / area, std::max(0.0, second_u / area - u * u));
+  frame.set_patch(u, first_h / area, std::max(0.0, second_u / area - u * u), patch);
+}
+
+}  // namespace
+
+void polygon_patch(const SideView& view, double smaller, double up, const Options& options, Contact& c) {
+  const Loop &self = view.self, &other = view.other;
+  const Frame frame(view, up);
+  const bool of_a = view.at.kind == SideContact::side_of_a;
+  const auto of_self = [&](std::uint32_t i) {
+    const Point p = frame.corner(i);
+    return SidePoint<double>{p.u, p.h};
+  };
+  const auto of_other = [&](std::uint32_t i) {
+    const Point p = frame.border()(i);
+    return SidePoint<double>{p.u, p.h};
+  };
+  const std::uint32_t corner = view.at.corner, second = self.next(view.at.side), left = other.next(corner),
+                      right = other.before(corner), half = corner + other.size() / 2;
+  SideRegion<double> region;
+  if (region.find({-view.gap,
+                   -view.from_start,
+                   of_self(second).u,
+                   of_self(self.before(view.at.side)),
+                   of_self(self.next(second)),
+                   {of_other(left), of_other(other.next(left))},
+                   {of_other(right), of_other(other.before(right))},
+                   of_other(half < other.size() ? half : half - other.size())})) {
+    const SideOverlap<double> found = region.measure();
+    if (found.area > 0x1p-900) {
+      if (options.patch) frame.set_patch(found.u, found.h, std::max(0.0, found.spread), c.patch);
+      const double least = least_depth * smaller;
+      if (!options.measure || !(found.section > least && found.variance > 0 && found.depth > least)) return;
+      const Vec3d force = frame.direction(found.force.u, found.force.h);
+      const double sign = of_a ? 1 : -1;
+      c.measure = line_of_action({.depth = found.depth,
+                                  .force = sign * force,
+                                  .moment = {0, 0, sign * found.moment},
+                                  .centroid = frame.point(found.u, found.h)});
+      rescale(c.measure, up);
+      return;
+    }
+  }
+  if (options.patch) clipped_patch(view, frame, c.patch);
+  if (options.measure && outlines_depth(of_a ? self : other, of_a ? other : self, smaller, c.measure))
+    rescale(c.measure, up);
 }
 
 }  // namespace contact

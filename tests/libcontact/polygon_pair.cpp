@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <vector>
 
 #include "libcontact/methods/planar.h"
+#include "libcontact/overlap_depth.h"
 #include "shapes/math/random.h"
 #include "shapes/math/trig.h"
 #include "shapes/polygon_build.h"
@@ -98,28 +100,83 @@ TEST(PolygonPair, NoCacheChangesABitOfAnOverlap) {
   }
 }
 
+// Its sides: 2 · side of a, 2 · side + 1 of b.
+Corners overlap_of(const Case& c) {
+  Corners buffer[2], *region = buffer, *spare = buffer + 1;
+  const Loop a(*c.a.shape, placement(c.a, 1, {})), b(*c.b.shape, placement(c.b, 1, c.offset));
+  for (std::uint32_t k = 0; k < a.size(); ++k) region->push_back({a.vertex(k), 2 * k});
+  for (std::uint32_t k = 0; k < b.size(); ++k) {
+    const Vec3d n = b.normal(k);
+    cut(*region, n, b.height(k, n), 2 * k + 1, *spare);
+    std::swap(region, spare);
+  }
+  return *region;
+}
+
 TEST(PolygonPair, PatchIsTheClippedArea) {
   Random draw(7, 2, 0);
   for (int i = 0; i < 2000; ++i) {
     const Case c = overlapping(draw, std::exp2(draw.uniform(-20, -5)), i % 5 == 0);
     const Contact answer = ask(c, {}, nullptr);
     ASSERT_LT(answer.gap, 0);
-    Corners buffer[2], *region = buffer, *spare = buffer + 1;
-    const Loop a(*c.a.shape, placement(c.a, 1, {})), b(*c.b.shape, placement(c.b, 1, c.offset));
-    for (std::uint32_t k = 0; k < a.size(); ++k) region->push_back({a.vertex(k), 0});
-    for (std::uint32_t k = 0; k < b.size(); ++k) {
-      const Vec3d n = b.normal(k);
-      cut(*region, n, b.height(k, n), 0, *spare);
-      std::swap(region, spare);
-    }
     AreaMoments moments;
-    moments.add(*region);
+    moments.add(overlap_of(c));
     Patch expected;
     ASSERT_TRUE(moments.patch(answer.normal, expected)) << i;
     const double size = max_abs(c.offset) + 4, error = 1e-15 * size * (1 + size / -answer.gap);
     EXPECT_LT(norm(answer.patch.centre - expected.centre), error) << i;
     for (const int k : {0, 1, 3}) EXPECT_NEAR(answer.patch.spread[k], expected.spread[k], 4 * size * error) << i;
   }
+}
+
+// The depth that comes with an answer, mostly in closed form, is that of the outline cut side by side.
+TEST(PolygonPair, DepthIsThatOfTheClippedOutline) {
+  Random draw(9, 2, 0);
+  const auto body = [](const Placed<Polygon>& p) {
+    return Body{.kind = shapes::Kind::polygon,
+                .geometry = p.shape,
+                .size = {p.scale, 0, 0},
+                .rotation = {{{p.cosine, -p.sine, 0}, {p.sine, p.cosine, 0}, {0, 0, 1}}}};
+  };
+  int measured = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const double overlap = i % 4 == 0 ? draw.uniform(0.01, 0.5) : std::exp2(draw.uniform(-20, -5));
+    const Case c = overlapping(draw, overlap, i % 7 == 0);
+    const Contact answer = ask(c, {.measure = true}, nullptr);
+    OverlapDepth expected;
+    if (!overlap_depth(body(c.a), body(c.b), c.offset, answer.normal, expected)) {
+      EXPECT_EQ(answer.measure.depth, 0) << i;
+      continue;
+    }
+    ++measured;
+    // A side that is cut short has lost digits of its direction, a crossing of sides along each other of its place.
+    double shortest = -answer.gap;
+    const Corners region = overlap_of(c);
+    const auto normal = [&](std::uint32_t side) {
+      const Placed<Polygon>& p = side % 2 == 0 ? c.a : c.b;
+      return placement(p, 1, {}).direction(p.shape->normals[side / 2]);
+    };
+    Vec3d chord{};
+    for (std::size_t k = 0; k < region.size(); ++k) {
+      const LoopCorner &before = region[k == 0 ? region.size() - 1 : k - 1], &corner = region[k];
+      const double sine =
+          before.side % 2 == corner.side % 2 ? 1 : norm(cross(normal(before.side), normal(corner.side)));
+      shortest = std::min(shortest, sine * norm(corner.x - before.x));
+      if (before.side % 2 != corner.side % 2) chord = corner.x - chord;
+    }
+    // Where it is deeper than wide, a way across turns it by that much more.
+    const double deep = std::max(1.0, expected.depth / norm(chord));
+    const double size = max_abs(c.offset) + 4, error = 1e-15 * size * (1 + size / shortest) * (deep * deep);
+    EXPECT_NEAR(answer.measure.depth, expected.depth, 1e-14 * size) << i;
+    EXPECT_NEAR(answer.measure.gain, expected.gain, error) << i;
+    // As the slope of d: of bodies deep in each other it may be next to nothing, and has no direction then.
+    EXPECT_LT(expected.gain * norm(answer.measure.normal - expected.normal), error) << i;
+    EXPECT_LT(expected.gain * norm(answer.measure.point - expected.point), 4 * error) << i;
+    // The same without the patch, and from the other body.
+    EXPECT_EQ(ask(c, {.patch = false, .measure = true}, nullptr).measure.depth, answer.measure.depth) << i;
+    EXPECT_EQ(ask({c.b, c.a, -c.offset}, {.measure = true}, nullptr).measure.depth, answer.measure.depth) << i;
+  }
+  EXPECT_GT(measured, 2800);
 }
 
 // Along an axis that held a step ago bodies are known to be apart without a search; the axis may be anything.
