@@ -6,12 +6,18 @@ using contact::max_regions;
 
 void answer_regions(const contact::Body& a, const contact::Body& b, const contact::Vec3d& offset,
                     const std::uint8_t* touching, const contact::Vec3d* centre, contact::Contact* answer) {
-  contact::Contact found[max_regions];
-  const std::size_t count = contact::polygon_regions(a, b, offset, {.overlap_only = true, .measure = true}, found);
+  union Regions {
+    Regions() {}  // NOLINT(modernize-use-equals-default): that would be deleted
+    contact::Contact list[max_regions];
+  } regions;  // without initial values, as answers below
+  const contact::Contact* found = regions.list;
+  const std::size_t count =
+      contact::polygon_regions(a, b, offset, {.overlap_only = true, .measure = true}, regions.list);
   bool taken[max_regions] = {}, placed[max_regions] = {};
   for (std::size_t slot = 0; slot < max_regions; ++slot) {
-    answer[slot] = {};
+    // Of a record without a region no more is read; clearing the whole answer would cost as much as a query.
     answer[slot].status = contact::Status::separated;
+    answer[slot].gap = answer[slot].gap_upper = 1;
   }
   const auto place = [&](std::size_t region, std::size_t slot) {
     answer[slot] = found[region];

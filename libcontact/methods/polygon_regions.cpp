@@ -38,9 +38,7 @@ class PolygonPair {
   void find(const Options& options, RegionList& list) {
     clip_parts();
     if (pieces_.size() == 0) return;
-    blocked_a_ = a_.blocked([&](const Vec3d& x) { return b_.holds(x); });
-    blocked_b_ = b_.blocked([&](const Vec3d& x) { return a_.holds(x); });
-    join();
+    if (pieces_.size() > 1) join();
     for (std::uint32_t i = 0; i < pieces_.size(); ++i)
       if (groups_.of(i) == i) answer(i, options, list);
   }
@@ -53,7 +51,9 @@ class PolygonPair {
       const Vec3d centre = a_.place.point(p.centre);
       const double radius = a_.place.scale * p.radius;
       for (std::uint32_t j = 0; j < b_.count(); ++j)
-        if (b_.near(j, centre, radius, margin)) clip(i, j);
+        if (b_.near(j, centre, radius, margin) && !a_.beyond_side(p, b_, b_.part(j), margin) &&
+            !b_.beyond_side(b_.part(j), a_, p, margin))
+          clip(i, j);
     }
   }
 
@@ -97,21 +97,31 @@ class PolygonPair {
     return from <= to;
   }
 
+  // Regions end at a seam whose reflex corner the other body holds.
   void join() {
-    for (std::size_t s = 0; s < a_.shape.seams.size(); ++s) {
-      const Polygon::Seam& seam = a_.shape.seams[s];
-      for (std::uint32_t j = 0; j < b_.count() && !blocked_a_[s]; ++j)
-        join(piece(seam.part[0], j), piece(seam.part[1], j), [&] { return crosses(a_, seam, b_, j); });
-    }
-    for (std::size_t s = 0; s < b_.shape.seams.size(); ++s) {
-      const Polygon::Seam& seam = b_.shape.seams[s];
-      for (std::uint32_t i = 0; i < a_.count() && !blocked_b_[s]; ++i)
-        join(piece(i, seam.part[0]), piece(i, seam.part[1]), [&] { return crosses(b_, seam, a_, i); });
-    }
+    for (const Polygon::Seam& seam : a_.shape.seams)
+      join(
+          b_.count(), [&](std::uint32_t side, std::uint32_t j) { return piece(seam.part[side], j); },
+          [&] { return a_.blocked(seam, [&](const Vec3d& x) { return b_.holds(x); }); },
+          [&](std::uint32_t j) { return crosses(a_, seam, b_, j); });
+    for (const Polygon::Seam& seam : b_.shape.seams)
+      join(
+          a_.count(), [&](std::uint32_t side, std::uint32_t i) { return piece(i, seam.part[side]); },
+          [&] { return b_.blocked(seam, [&](const Vec3d& x) { return a_.holds(x); }); },
+          [&](std::uint32_t i) { return crosses(b_, seam, a_, i); });
   }
-  template <class Crosses>
-  void join(std::uint32_t x, std::uint32_t y, Crosses&& crosses) {
-    if (x < pieces_.size() && y < pieces_.size() && crosses()) groups_.join(x, y);
+  template <class Of, class Blocked, class Crosses>
+  void join(std::size_t parts, Of&& of, Blocked&& blocked, Crosses&& crosses) {
+    bool open = false;  // asked where two pieces lie at the seam
+    for (std::uint32_t k = 0; k < parts; ++k) {
+      const std::uint32_t x = of(0, k);
+      if (x == pieces_.size()) continue;
+      const std::uint32_t y = of(1, k);
+      if (y == pieces_.size()) continue;
+      if (!open && blocked()) return;
+      open = true;
+      if (crosses(k)) groups_.join(x, y);
+    }
   }
 
   void answer(std::uint32_t group, const Options& options, RegionList& list) {
@@ -166,7 +176,6 @@ class PolygonPair {
   ShortList<Piece, 16> pieces_;
   ShortList<LoopCorner, 64> corners_;
   Groups groups_;
-  Marks blocked_a_, blocked_b_;
 };
 
 std::size_t pair_regions(const Placed<Polygon>& a, const Placed<Polygon>& b, const Vec3d& offset,
@@ -196,7 +205,6 @@ std::size_t line_regions(const Placed<Polygon>& a, const Placed<shapes::Line>& b
   const Vec3d& m = b.normal;
   const double level = dot(m, unit.down * offset), size = 2 * extent * unit.down;
   const auto below = [&](const Vec3d& x) { return dot(m, x) < level; };
-  const Marks blocked = view.blocked(below);
   Groups groups;
   Marks touched;
   for (std::size_t i = 0; i < view.count(); ++i) {
@@ -206,9 +214,8 @@ std::size_t line_regions(const Placed<Polygon>& a, const Placed<shapes::Line>& b
     touched.push_back(mark);
     groups.add();
   }
-  for (std::size_t s = 0; s < a.shape->seams.size(); ++s) {
-    const Polygon::Seam& seam = a.shape->seams[s];
-    if (!blocked[s] && (below(view.place.point(seam.end[0])) || below(view.place.point(seam.end[1]))))
+  for (const Polygon::Seam& seam : a.shape->seams) {
+    if (!view.blocked(seam, below) && (below(view.place.point(seam.end[0])) || below(view.place.point(seam.end[1]))))
       groups.join(seam.part[0], seam.part[1]);
   }
   RegionList list(out, max_regions);

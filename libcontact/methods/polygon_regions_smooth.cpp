@@ -78,10 +78,10 @@ class SmoothPair {
       touched_.push_back(met ? 1 : 0);
       groups.add();
     }
-    const Marks blocked = b_.blocked([&](const Vec3d& x) { return holds(x); });
     for (std::size_t s = 0; s < b_.shape.seams.size(); ++s) {
       const Polygon::Seam& seam = b_.shape.seams[s];
-      if (!blocked[s] && touched_[seam.part[0]] && touched_[seam.part[1]] &&
+      if (touched_[seam.part[0]] && touched_[seam.part[1]] &&
+          !b_.blocked(seam, [&](const Vec3d& x) { return holds(x); }) &&
           crosses(b_.place.point(seam.end[0]), b_.place.point(seam.end[1]), planar_half_width))
         groups.join(seam.part[0], seam.part[1]);
     }

@@ -1,6 +1,8 @@
 // What the searches for regions share: groups of pieces, and the parts of one polygon that are in play.
 #pragma once
 
+#include <algorithm>
+
 #include "libcontact/methods/method.h"
 #include "libcontact/methods/planar_outline.h"
 #include "libcontact/scale.h"
@@ -65,17 +67,30 @@ struct PartsView {
     return dot(d, d) <= reach * reach;
   }
 
-  // Seams that no region reaches across: the other body holds a reflex corner of theirs.
+  Vec3d in_frame(const Vec3d& direction) const {  // its own
+    return {place.cosine * direction.x + place.sine * direction.y,
+            place.cosine * direction.y - place.sine * direction.x, 0};
+  }
+  // All of a part lies beyond the side of part `q` of `of` that its middle is highest over, by more than `margin`.
+  [[gnu::always_inline]] bool beyond_side(const shapes::Polygon::Part& p, const PartsView& of,
+                                          const shapes::Polygon::Part& q, double margin) const {
+    const Vec3d middle = of.in_frame(place.point(p.centre) - of.place.at);
+    double top = -std::numeric_limits<double>::infinity();
+    std::size_t side = 0;
+    for (std::size_t k = 0; k < q.normals.size(); ++k)
+      if (const double h = dot_xy(q.normals[k], middle) - of.place.scale * q.offsets[k]; h > top) top = h, side = k;
+    const Vec3d n = of.normal(q, side), down = in_frame(n);
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Vec3d& v : p.vertices) lowest = std::min(lowest, dot_xy(down, v));
+    return place.scale * lowest + dot_xy(n, place.at) - of.height(q, side, n) > margin;
+  }
+
+  // Whether no region reaches across a seam: the other body holds a reflex corner of it.
   template <class Holds>
-  Marks blocked(Holds&& other_holds) const {
-    Marks marks;
-    for (const auto& seam : shape.seams) {
-      char mark = 0;
-      for (const std::uint32_t c : seam.corner)
-        if (c != no_edge && other_holds(place.point(shape.vertices[c]))) mark = 1;
-      marks.push_back(mark);
-    }
-    return marks;
+  bool blocked(const shapes::Polygon::Seam& seam, Holds&& other_holds) const {
+    for (const std::uint32_t c : seam.corner)
+      if (c != no_edge && other_holds(place.point(shape.vertices[c]))) return true;
+    return false;
   }
 
   // Depth of the marked parts behind the line n·x = h.

@@ -2,8 +2,8 @@
 // about bodies of any number of corners without allocating for the usual ones.
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace contact {
@@ -13,10 +13,10 @@ class ShortList {
  public:
   void push_back(const T& v) {
     if (size_ < N) {
-      near_[size_++] = v;
+      near_.list[size_++] = v;
       return;
     }
-    if (size_ == N) far_.assign(near_.begin(), near_.end());
+    if (size_ == N) far_.assign(near_.list, near_.list + N);
     far_.push_back(v);
     ++size_;
   }
@@ -29,15 +29,21 @@ class ShortList {
     far_.clear();
   }
   std::size_t size() const { return size_; }
-  T* begin() { return size_ <= N ? near_.data() : far_.data(); }
+  T* begin() { return size_ <= N ? near_.list : far_.data(); }
   T* end() { return begin() + size_; }
-  const T* begin() const { return size_ <= N ? near_.data() : far_.data(); }
+  const T* begin() const { return size_ <= N ? near_.list : far_.data(); }
   const T* end() const { return begin() + size_; }
   T& operator[](std::size_t i) { return begin()[i]; }
   const T& operator[](std::size_t i) const { return begin()[i]; }
 
  private:
-  std::array<T, N> near_;
+  static_assert(std::is_trivially_copyable_v<T>);
+  // Without initial values: clearing what is never read costs more than a short list itself.
+  union Near {
+    Near() {}  // NOLINT(modernize-use-equals-default): that would be deleted
+    T list[N];
+  };
+  Near near_;
   std::vector<T> far_;
   std::size_t size_ = 0;
 };
