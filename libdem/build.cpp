@@ -144,7 +144,7 @@ void check_initial_overlap(const World& world, const std::vector<const Where*>& 
     const bool wall = c.key[k].b >= wall_base;
     double size = overlap_radius(world, c.index_a[k]);
     if (!wall) size = std::min(size, overlap_radius(world, c.index_b[k]));
-    const double overlap = c.history[k].overlap, allowed = world.scene.run.max_initial_overlap * size;
+    const double overlap = c.history_of(k).overlap, allowed = world.scene.run.max_initial_overlap * size;
     if (overlap <= allowed) continue;
     const std::string other = wall ? "wall \"" + world.walls[c.index_b[k]].name + "\""
                                    : "body " + std::to_string(world.particles.id[c.index_b[k]]);

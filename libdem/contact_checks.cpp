@@ -58,14 +58,14 @@ void check_passages(const World& world, const std::vector<std::uint32_t>& throug
                                             [&](std::uint32_t x, std::uint32_t y) { return c.key[x] < c.key[y]; });
   throw RunError(fmt::format(
       "step {}: {} pass through each other, their overlap is {:.3g} m: they are too soft for their speed or their load",
-      world.step, parties(world, k), c.history[k].overlap));
+      world.step, parties(world, k), c.history_of(k).overlap));
 }
 
 void check_impacts(const World& world, const std::vector<Change>& changed) {
   const Contacts& c = world.contacts;
   TightestContact tightest(world);
   for (const Change& change : changed)
-    tightest.judge(change.record, c.touching[change.record] != 0 ? c.history[change.record].overlap : change.overlap);
+    tightest.judge(change.record, c.touching[change.record] != 0 ? c.history_of(change.record).overlap : change.overlap);
   tightest.stop();
 }
 
@@ -73,7 +73,7 @@ void check_contacts(const World& world) {
   const Contacts& c = world.contacts;
   TightestContact tightest(world);
   for (std::uint32_t k = 0; k < c.count(); ++k)
-    if (c.touching[k] != 0) tightest.judge(k, c.history[k].overlap);
+    if (c.touching[k] != 0) tightest.judge(k, c.history_of(k).overlap);
   tightest.stop();
 }
 

@@ -2,11 +2,13 @@
 // list by merging sorted keys, so what a contact remembers does not depend on when lists were built.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
 
 #include "libcontact/dispatch.h"
+#include "libcontact/kernels/chunk.h"
 #include "libcontact/kernels/records.h"
 #include "libcontact/laws/law.h"
 #include "libcontact/laws/ledger.h"
@@ -40,6 +42,32 @@ struct Gone {  // a contact that has ended, and what it lost
   std::array<double, contact::mechanism_count> lost{};  // J
 };
 
+inline constexpr std::uint32_t none = ~std::uint32_t(0);
+
+// The pairs of round bodies that have met since the list of candidates was made, in chunks: what a step looks at, in the
+// order that their histories have in memory. The arrays are filled up to whole chunks with pairs of the list.
+struct Met {
+  std::vector<std::uint32_t> record, a, b, pair, seat;
+  std::vector<std::uint32_t> touching;  // per chunk: bit i: its pair i touches
+  std::size_t count = 0;
+
+  void add(std::uint32_t k, std::uint32_t body_a, std::uint32_t body_b, std::uint32_t materials, std::uint32_t at) {
+    if (count == record.size()) {
+      record.resize(count + contact::kernels::chunk_size, k);
+      a.resize(record.size(), body_a);
+      b.resize(record.size(), body_b);
+      pair.resize(record.size(), materials);
+      seat.resize(record.size(), at);
+      touching.push_back(0);
+    }
+    record[count] = k;
+    a[count] = body_a;
+    b[count] = body_b;
+    pair[count] = materials;
+    seat[count++] = at;
+  }
+};
+
 // The records of one pair of kinds, answered by one function: dispatch happens here, never per pair.
 struct Bin {
   shapes::Kind a = shapes::Kind::sphere, b = shapes::Kind::sphere;
@@ -50,6 +78,8 @@ struct Bin {
   std::vector<std::uint32_t> records;
   std::vector<std::uint32_t> a_index, b_index, pair;  // of each record: its bodies, its pair of materials; padded by 4
   std::vector<std::uint32_t> awake;                   // places in `records` that a step looks at, of pairs; sleep.h
+  Met met;                                            // of pairs of round bodies; no one of them is in `awake`
+  bool round() const { return query == nullptr && !wall; }
 };
 
 // The records of one pair of bodies, or of a body and a wall, of which one at least has parts: they follow one another
@@ -68,7 +98,12 @@ struct Contacts {
   std::vector<Key> key;  // row by row
   std::vector<std::uint32_t> index_a,
       index_b;                            // particle index; index_b = wall index for walls. a is lower in kind order
-  std::vector<contact::History> history;  // zero when not touching
+  // Where a record has its history and its slots. Pairs of round bodies get a seat when they first touch after a
+  // rebuild and keep it until the next one; until then they have none. All others have one from the start.
+  std::vector<std::uint32_t> seat;
+  std::vector<contact::History> history;  // by seat; zero when not touching
+  std::vector<Slot> slot;                 // seats below double_seats have two, the others one
+  std::uint32_t double_seats = 0;
   // What laws remember beside the History, `words` doubles per record: their states, then what the map does
   // (law_map.h), then the stored energy (J). Empty where the fused kernels do.
   std::vector<double> memory;
@@ -76,7 +111,6 @@ struct Contacts {
   std::vector<contact::Ledger> ledger;  // empty without law.ledger
   std::vector<Gone> gone;               // that a rebuild found out of reach, until the books are made up
   std::vector<std::uint8_t> touching;
-  std::vector<Slot> slot;
   std::vector<Vec3d> centre;          // of the contact, relative to a's centre, m; empty when all are spheres
   std::vector<contact::Cache> cache;  // likewise
   // A pair that was found apart by a proven gap needs no query before its bodies have moved by that much; see
@@ -86,6 +120,7 @@ struct Contacts {
   // Way of the farthest body and of the farthest wall in this step; its sum since the awake were listed; up to where
   // their list holds, m. See sleep.h.
   double step_way = 0, way = 0, way_allowed = -1;
+  double since_look = 0, look_after = 0;  // the same for the look whether the list must be rebuilt (candidates.cpp)
 
   std::vector<Bin> bins;      // of the records that are in no group
   std::vector<Group> groups;  // empty without bodies of parts, as are the next four
@@ -95,13 +130,43 @@ struct Contacts {
   std::vector<Quatd> reference_orientation;    // of the particles, at the last rebuild
   std::vector<std::uint32_t> incidence_start;  // per particle (count + 1): its records in order of partner
   std::vector<std::uint32_t> incidence;        // record · 2 + (1 when the particle is b)
-  std::vector<std::uint32_t> active;           // per particle, from the same start: those of its records that touch
+  // Per particle, from the same start: of those of its records that touch the slot · 2 + (1 when the particle is b).
+  std::vector<std::uint32_t> active;
   std::vector<std::uint32_t> active_count;
   std::vector<std::uint32_t> wall_records;  // records with a wall
   std::vector<Vec3d> reference;             // particle positions at the last rebuild
   double largest_sum = 0;                   // of the bounding radii of two bodies, m
   bool stale = true;                        // the list must be rebuilt before it is used
   std::size_t count() const { return key.size(); }
+
+  // Of a record that has a seat.
+  contact::History& history_of(std::size_t k) { return history[seat[k]]; }
+  const contact::History& history_of(std::size_t k) const { return history[seat[k]]; }
+  // What acts on a: in its first slot. On b: in its second, or in the same one.
+  std::size_t slot_of(std::size_t k) const { return first_slot(seat[k]); }
+  std::size_t slot_of_b(std::size_t k) const { return slot_of(k) + (seat[k] < double_seats ? 1 : 0); }
+  std::size_t first_slot(std::uint32_t at) const { return std::size_t(at) + std::min(at, double_seats); }
+  // The entry of `active` for one of `incidence`.
+  std::uint32_t active_entry(std::uint32_t incident) const {
+    const std::size_t k = incident >> 1;
+    const bool is_b = (incident & 1) != 0;
+    return static_cast<std::uint32_t>(2 * (is_b ? slot_of_b(k) : slot_of(k)) + (is_b ? 1 : 0));
+  }
+  // Seats in all, the new ones at rest.
+  void make_seats(std::size_t seats) {
+    history.resize(seats);
+    slot.resize(first_slot(static_cast<std::uint32_t>(seats)));
+  }
+  // Adds a touching contact to a list that output reads, until the next rebuild makes the full one.
+  void list(const Key& of, std::uint32_t a, std::uint32_t b, const contact::History& remembered, const Vec3d& force) {
+    key.push_back(of);
+    index_a.push_back(a);
+    index_b.push_back(b);
+    seat.push_back(static_cast<std::uint32_t>(history.size()));
+    history.push_back(remembered);
+    slot.push_back({force, 0, {}, 0});
+    touching.push_back(1);
+  }
 };
 
 }  // namespace dem

@@ -51,13 +51,13 @@ void add_contact(const World& world, std::size_t k, const DeformSpec* servo, Loa
   const Contacts& c = world.contacts;
   const auto& motion = world.particles.motion;
   const Vec3d d = world.cell.lattice.nearest(motion[c.index_b[k]].position - motion[c.index_a[k]].position);
-  add_product(sum.virial, -c.slot[k].force, d);
+  add_product(sum.virial, -c.slot[c.slot_of(k)].force, d);
   if (servo == nullptr) return;
   const double kn = contact_stiffness(world, k).n, cn = contact_damping(world, k);
   double all = 0;
   for (int axis = 0; axis < 3; ++axis) {
     if (!servo->follows(axis)) continue;
-    const double closing = c.history[k].normal[axis] * d[axis];
+    const double closing = c.history_of(k).normal[axis] * d[axis];
     sum.along[axis].add(kn, cn, closing);
     all += closing;
   }
@@ -77,10 +77,9 @@ Load load_of(const World& world, int threads, const DeformSpec* servo = nullptr)
     const Vec3d& v = p.motion[i].velocity;
     add_product(sum.virial, v * p.mass[i], v);
     if (!listed) continue;
-    const std::uint32_t first = c.incidence_start[i];
-    for (std::uint32_t e = first; e < first + c.active_count[i]; ++e) {
-      const std::size_t k = c.active[e] >> 1;
-      if (c.key[k].a == p.id[i] && c.key[k].b < wall_base) add_contact(world, k, servo, sum);
+    for (std::uint32_t e = c.incidence_start[i]; e < c.incidence_start[i + 1]; ++e) {
+      const std::size_t k = c.incidence[e] >> 1;
+      if (c.touching[k] != 0 && c.key[k].a == p.id[i] && c.key[k].b < wall_base) add_contact(world, k, servo, sum);
     }
   }
   if (!listed)

@@ -44,10 +44,10 @@ struct Scratch {
   bool gained = false;
   double gain[chunk_size] = {}, screw[chunk_size] = {};
   SphereChunk spheres;
-  contact::kernels::Lane clearance;
+  contact::kernels::Lane clearance, overlap_before;
   std::uint32_t entry[chunk_size] = {};
   std::uint32_t pair[chunk_size];  // the pair of materials that each lane of `law` holds
-  std::uint32_t record[chunk_size] = {}, index_a[chunk_size] = {}, index_b[chunk_size] = {};
+  std::uint32_t record[chunk_size] = {}, seat[chunk_size] = {}, index_a[chunk_size] = {}, index_b[chunk_size] = {};
   std::vector<Tally> tally;  // by bin; last: the groups
   contact::Body a[chunk_size], b[chunk_size];
   Vec3d offset[chunk_size];
@@ -94,18 +94,24 @@ class ForcePass {
 
   void forget(std::size_t k, Scratch& s) const {
     if (c_.touching[k] == 0) return;
-    s.changed.push_back({static_cast<std::uint32_t>(k), c_.history[k].overlap});
-    if (staged_) {
-      std::fill_n(c_.memory.begin() + static_cast<std::ptrdiff_t>(k * c_.words), c_.words, 0.0);
-      if (!c_.ledger.empty()) {
-        contact::close(world_.law.loss, dt_, c_.ledger[k]);
-        s.changed.back().lost = c_.ledger[k].lost;
-        c_.ledger[k] = {};
-      }
+    end(k, c_.history_of(k).overlap, s);
+  }
+  // The contact of record k, which had this overlap before the step.
+  void end(std::size_t k, double overlap, Scratch& s) const {
+    s.changed.push_back({static_cast<std::uint32_t>(k), overlap});
+    if (!c_.ledger.empty()) {
+      contact::close(world_.law.loss, dt_, c_.ledger[k]);
+      s.changed.back().lost = c_.ledger[k].lost;
+      c_.ledger[k] = {};
     }
-    c_.history[k] = {};
     c_.touching[k] = 0;
-    c_.slot[k] = {};
+    silence(k);
+  }
+  // Nothing acts in record k, nothing is remembered.
+  void silence(std::size_t k) const {
+    std::fill_n(c_.memory.begin() + static_cast<std::ptrdiff_t>(k * c_.words), c_.words, 0.0);
+    c_.history_of(k) = {};
+    c_.slot[c_.slot_of(k)] = c_.slot[c_.slot_of_b(k)] = {};
   }
 
   void load_pair(std::size_t i, std::uint32_t pair, Scratch& s) const {
@@ -119,14 +125,10 @@ class ForcePass {
   static void pad(std::uint32_t* list, std::size_t n) {
     for (; n % 4 != 0; ++n) list[n] = list[n - 1];
   }
-  void load_histories(std::size_t n, Scratch& s) const {
-    pad(s.record, n);
-    set_.load_history(c_.history.data(), s.record, n, s.law);
-  }
-  // Histories and slots of a chunk back to their records; the slots are force, couple and couple_b.
-  void store(std::size_t n, Scratch& s) const {
-    set_.store_history(s.law, s.record, n, c_.history.data());
-    set_.store_slots(s.law, s.record, n, c_.slot.data());
+  // Histories and slots of a chunk back to their seats; the slots are force, couple and couple_b.
+  void store_double(const std::uint32_t* seat, std::size_t n, Scratch& s) const {
+    set_.store_history(s.law, seat, n, c_.history.data());
+    set_.store_double(s.law, seat, n, c_.slot.data());
   }
 
   void run_law(std::size_t n, bool patch, Scratch& s) const {
@@ -186,7 +188,9 @@ class ForcePass {
   // The n contacts that have been gathered: law, torques about the centres, back to their records.
   void finish(std::size_t n, bool patch, Scratch& s) const {
     LawChunk& l = s.law;
-    load_histories(n, s);
+    for (std::size_t i = 0; i < n; ++i) s.seat[i] = c_.seat[s.record[i]];
+    pad(s.seat, n);
+    set_.load_history(c_.history.data(), s.seat, n, l);
     run_law(n, patch, s);
     for (std::size_t i = 0; i < n; ++i) {
       const Vec3d f = get(l.force, i);
@@ -198,7 +202,7 @@ class ForcePass {
       put(l.couple, i, cross(s.arm_a[i], f) + couple);
       put(l.couple_b, i, -cross(s.arm_b[i], f) - couple);
     }
-    store(n, s);
+    store_double(s.seat, n, s);
     if (lingers_) let_go(n, s);
   }
 

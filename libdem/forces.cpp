@@ -1,6 +1,7 @@
 #include "libdem/forces.h"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
 
@@ -9,6 +10,7 @@
 #include "libdem/coherence.h"
 #include "libdem/contact_checks.h"
 #include "libdem/force_pass.h"
+#include "libdem/meetings.h"
 #include "libdem/forces_compound.h"
 #include "libdem/regions.h"
 #include "libdem/sleep.h"
@@ -17,78 +19,82 @@
 namespace dem {
 namespace {
 
-// Both lines of a slot. Always inline, as is what calls it: a function that only fetches has no effect, and calls of it
-// are dropped.
-[[gnu::always_inline]] inline void fetch(const Slot& slot) {
-  const char* at = reinterpret_cast<const char*>(&slot);
-  __builtin_prefetch(at);
-  __builtin_prefetch(at + 64);
-}
+// Always inline, as is what calls it: a function that only fetches has no effect, and calls of it are dropped.
+[[gnu::always_inline]] inline void fetch(const Slot& slot) { __builtin_prefetch(&slot); }
 
 class PairPass : public ForcePass {
  public:
   using ForcePass::ForcePass;
 
-  // Records first … last of a bin of spheres, chunk by chunk; of other bins its awake pairs.
-  Tally answer(const Bin& bin, std::size_t first, std::size_t last, Scratch& s) const {
+  // Chunks first … last of the round pairs that have met, records of spheres with planes, or awake pairs of other bins.
+  Tally answer(Bin& bin, std::size_t first, std::size_t last, Scratch& s) const {
     if (bin.query != nullptr) return general(bin, bin.awake.data() + first, last - first, s);
     Tally t;
-    for (; first < last; first += chunk_size) {
-      const std::size_t count = std::min(chunk_size, last - first);
-      t += is_half_space(bin.b) ? sphere_planes(bin, first, count, s) : sphere_pairs(bin, first, count, s);
+    if (bin.round()) {
+      for (; first < last; ++first) t += met_pairs(bin.met, first, s);
+      return t;
     }
+    for (; first < last; first += chunk_size) t += sphere_planes(bin, first, std::min(chunk_size, last - first), s);
     return t;
   }
 
  private:
-  // Sphere pairs: squared distances first, branch-free, while the memory of those that touch is on its way; then the
-  // few that do go through the kernels.
-  Tally sphere_pairs(const Bin& bin, std::size_t first, std::size_t count, Scratch& s) const {
-    Tally t;
-    std::size_t n = 0;
+  // A chunk of the pairs of round bodies that have met: lanes across all of them, touching or not; what those that do not
+  // touch make of it is thrown away.
+  Tally met_pairs(Met& met, std::size_t chunk, Scratch& s) const {
+    const std::size_t first = chunk * chunk_size, n = std::min(chunk_size, met.count - first);
+    const std::uint32_t *record = &met.record[first], *a = &met.a[first], *b = &met.b[first], *seat = &met.seat[first];
     LawChunk& l = s.law;
-    const std::uint32_t *records = &bin.records[first], *a = &bin.a_index[first], *b = &bin.b_index[first];
+    for (std::size_t i = 0; i < n; ++i) load_pair(i, met.pair[first + i], s);
     if (lattice_ != nullptr)
-      set_.periodic_clearance(p_.motion.data(), a, b, count, *lattice_, s.clearance);
+      set_.periodic_gather(p_.motion.data(), a, b, n, *lattice_, s.spheres, l);
     else
-      set_.sphere_clearance(p_.motion.data(), a, b, count, s.clearance);
-    const unsigned may_linger = lingers_ ? 1 : 0;
-    for (std::size_t r = 0; r < count; ++r) {
-      // Without a branch, which half of them would mispredict.
-      const unsigned touched = c_.touching[records[r]];
-      const unsigned touches = static_cast<unsigned>(s.clearance[r] < 0) | (touched & may_linger);
-      s.entry[n] = static_cast<std::uint32_t>(r);
-      n += touches;
-      if (touches != touched) {  // seldom
-        if (touches != 0)
-          begin(records[r], s);
-        else
-          forget(records[r], s);
+      set_.gather_spheres(p_.motion.data(), a, b, n, s.spheres, l);
+    set_.load_history(c_.history.data(), seat, n, l);
+    const contact::kernels::SphereMeetings now = set_.spheres(s.spheres, l, n);
+    const std::uint32_t all = ~std::uint32_t(0) >> (chunk_size - n), was = met.touching[chunk];
+    std::uint32_t touching = (now.touching & all) | (lingers_ ? was : 0);
+    if (now.turned)
+      each_bit(touching, [&](std::size_t i) {
+        if (dot(get(l.history_normal, i), get(l.normal, i)) < 0) s.through.push_back(record[i]);
+      });
+    s.overlap_before = l.history_overlap;
+    if (staged_) prepare_stages(record, n, s);
+    run_law(n, false, s);
+    if (lingers_)
+      each_bit(touching, [&](std::size_t i) { touching ^= over(i, s) ? std::uint32_t(1) << i : 0; });
+    set_.sphere_torques(s.spheres, l, n);
+    if (world_.law.rolls) {
+      for (std::size_t i = 0; i < n; ++i) {
+        const Vec3d moment = get(s.work.moment, i), couple = get(l.couple, i);
+        put(l.couple, i, couple * l.lever_a[i] + moment);
+        put(l.couple_b, i, couple * l.lever_b[i] - moment);
       }
+      store_double(seat, n, s);
+    } else {
+      set_.store_history(l, seat, n, c_.history.data());
+      set_.store_slots(l, seat, n, c_.slot.data() + c_.double_seats);
     }
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t r = s.entry[i];
-      const std::uint32_t k = records[r];
-      __builtin_prefetch(&c_.history[k], 1);
-      __builtin_prefetch(&c_.slot[k], 1);
-      s.record[i] = k;
-      s.index_a[i] = a[r];
-      s.index_b[i] = b[r];
-      load_pair(i, bin.pair[first + r], s);
-    }
-    pad(s.index_a, n);
-    pad(s.index_b, n);
-    if (lattice_ != nullptr)
-      set_.periodic_gather(p_.motion.data(), s.index_a, s.index_b, n, *lattice_, s.spheres, l);
-    else
-      set_.gather_spheres(p_.motion.data(), s.index_a, s.index_b, n, s.spheres, l);
-    load_histories(n, s);
-    if (set_.spheres(s.spheres, l, n)) {
-      for (std::size_t i = 0; i < n; ++i)
-        if (dot(get(l.history_normal, i), get(l.normal, i)) < 0) s.through.push_back(s.record[i]);
-    }
-    if (staged_)
-      for (std::size_t i = 0; i < n; ++i) put(l.relative_spin, i, get(s.spheres.spin_a, i) - get(s.spheres.spin_b, i));
+    each_bit(all & ~touching & ~was, [&](std::size_t i) { silence(record[i]); });
+    each_bit(touching ^ was, [&](std::size_t i) {
+      if ((touching >> i & 1) != 0)
+        begin(record[i], s);
+      else
+        end(record[i], s.overlap_before[i], s);
+    });
+    met.touching[chunk] = touching;
+    Tally t;
+    t.candidates = n;
+    t.touching = static_cast<std::size_t>(std::popcount(touching));
+    t.by_spheres = n - t.touching;
+    return t;
+  }
+
+  // What laws in stages want beside the rest, and maps.
+  void prepare_stages(const std::uint32_t* record, std::size_t n, Scratch& s) const {
+    LawChunk& l = s.law;
+    std::copy_n(record, n, s.record);
+    for (std::size_t i = 0; i < n; ++i) put(l.relative_spin, i, get(s.spheres.spin_a, i) - get(s.spheres.spin_b, i));
     if (!c_.ledger.empty())
       for (std::size_t i = 0; i < n; ++i) {
         s.arm_a[i] = get(l.normal, i) * (s.spheres.radius_a[i] - 0.5 * l.overlap[i]);
@@ -96,21 +102,11 @@ class PairPass : public ForcePass {
       }
     s.gained = by_volume_;
     if (by_volume_) apply_round_volumes(n, s);
-    run_law(n, false, s);
-    set_.sphere_torques(s.spheres, l, n);
-    if (world_.law.rolls) {
-      for (std::size_t i = 0; i < n; ++i) {
-        const Vec3d moment = get(s.work.moment, i);
-        put(l.couple, i, get(l.couple, i) + moment);
-        put(l.couple_b, i, get(l.couple_b, i) - moment);
-      }
-    }
-    store(n, s);
-    let_go(n, s);  // the squares said touching, the root may round to no overlap
-    t.candidates = count;
-    t.touching = n;
-    t.by_spheres = count - n;
-    return t;
+  }
+
+  template <class Visit>
+  static void each_bit(std::uint32_t bits, Visit visit) {
+    for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
   }
 
   Tally sphere_planes(const Bin& bin, std::size_t first, std::size_t count, Scratch& s) const {
@@ -286,15 +282,16 @@ class PairPass : public ForcePass {
   [[gnu::always_inline]] void prefetch(std::size_t k) const {
     __builtin_prefetch(&c_.cache[k], 1);
     __builtin_prefetch(&c_.centre[k], 1);
-    __builtin_prefetch(&c_.history[k], 1);
-    fetch(c_.slot[k]);
+    __builtin_prefetch(&c_.history_of(k), 1);
+    fetch(c_.slot[c_.slot_of(k)]);
+    fetch(c_.slot[c_.slot_of_b(k)]);
   }
 
   // Beyond each other's middle. Sharp edges turn a normal by more than a right angle, regions change places; the slope
   // of the overlap's depth turns round slowly.
   bool passes(const Bin& bin, std::size_t k, const contact::Contact& q) const {
     if (bin.regions) return false;
-    if (dot(c_.history[k].normal, q.normal) < -0.9) return true;
+    if (dot(c_.history_of(k).normal, q.normal) < -0.9) return true;
     if (!by_depth_ || bin.a != shapes::Kind::polyhedron || bin.b != shapes::Kind::polyhedron) return false;
     return -q.gap > 0.9 * (inscribed_radius(world_, c_.index_a[k]) + inscribed_radius(world_, c_.index_b[k]));
   }
@@ -320,7 +317,7 @@ void relist(Contacts& c, std::uint32_t k) {
     const std::uint32_t first = c.incidence_start[i];
     std::uint32_t n = 0;
     for (std::uint32_t e = first; e < c.incidence_start[i + 1]; ++e)
-      if (c.touching[c.incidence[e] >> 1] != 0) c.active[first + n++] = c.incidence[e];
+      if (c.touching[c.incidence[e] >> 1] != 0) c.active[first + n++] = c.active_entry(c.incidence[e]);
     c.active_count[i] = n;
   };
   body(c.index_a[k]);
@@ -354,9 +351,9 @@ void book(World& world, const std::vector<Tally>& tally) {
   Counters& n = world.counters;
   for (std::size_t i = 0; i < tally.size(); ++i) {
     Tally t = tally[i];
-    if (i + 1 < tally.size() && world.contacts.bins[i].query != nullptr) {
+    if (i + 1 < tally.size()) {
       const Bin& bin = world.contacts.bins[i];
-      const std::size_t asleep = bin.records.size() / (bin.regions ? contact::max_regions : 1) - bin.awake.size();
+      const std::size_t asleep = bin.records.size() / (bin.regions ? contact::max_regions : 1) - t.candidates;
       t.candidates += asleep;
       t.by_displacement += asleep;
     }
@@ -379,17 +376,18 @@ void book(World& world, const std::vector<Tally>& tally) {
 void compute_forces(World& world, int threads, double dt) {
   const auto begin = std::chrono::steady_clock::now();
   wake(world);
+  const std::vector<Tally> looked = meet(world, threads);
   const PairPass pass(world, dt);
   const CompoundPass compounds(world, dt);
   const bool timed = world.profile.timed;
-  const Bin* bins = world.contacts.bins.data();
+  Bin* bins = world.contacts.bins.data();
   // Tasks of about ten microseconds, the dear ones first, so that threads end together.
   struct Task {
-    const Bin* bin;  // null: groups
+    Bin* bin;  // null: groups
     std::size_t first, last;
   };
   std::vector<Task> tasks;
-  const auto add = [&tasks](const Bin& bin, std::size_t count, std::size_t size) {
+  const auto add = [&tasks](Bin& bin, std::size_t count, std::size_t size) {
     for (std::size_t i = 0; i < count; i += size) tasks.push_back({&bin, i, std::min(i + size, count)});
   };
   const std::vector<Group>& groups = world.contacts.groups;
@@ -400,18 +398,20 @@ void compute_forces(World& world, int threads, double dt) {
     first = g + 1;
     records = 0;
   }
-  for (const Bin& b : world.contacts.bins)
+  for (Bin& b : world.contacts.bins)
     if (b.query != nullptr) add(b, b.awake.size(), task_size(b));
-  for (const Bin& b : world.contacts.bins)
-    if (b.query == nullptr) add(b, b.records.size(), 8 * chunk_size);
-  std::vector<Tally> total(world.contacts.bins.size() + 1);
+  for (Bin& b : world.contacts.bins) {
+    if (b.round()) add(b, b.met.touching.size(), 8);
+    if (b.query == nullptr && b.wall) add(b, b.records.size(), 8 * chunk_size);
+  }
+  std::vector<Tally> total = looked;
   std::vector<Change> changed;
   std::vector<std::uint32_t> through;
 #pragma omp parallel num_threads(threads)
   {
     static thread_local Scratch scratch;
     std::fill(std::begin(scratch.pair), std::end(scratch.pair), ~std::uint32_t(0));
-    scratch.tally.assign(total.size(), {});
+    scratch.tally.assign(world.contacts.bins.size() + 1, {});
 #pragma omp for schedule(dynamic, 1)
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       const Task& task = tasks[i];
@@ -440,8 +440,8 @@ void compute_forces(World& world, int threads, double dt) {
   world.times.query += seconds_since(begin);
 }
 
-constexpr std::size_t bodies_ahead = 6;       // whose slots are fetched while one is summed,
-constexpr std::size_t near_bytes = 8U << 20;  // where they are too many for the caches near the core
+constexpr std::size_t near_bytes = 8U << 20;  // of slots that the caches near the core hold
+constexpr std::size_t bodies_at_once = 256;
 
 void sum_forces(World& world, int threads) {
   const auto begin = std::chrono::steady_clock::now();
@@ -449,23 +449,18 @@ void sum_forces(World& world, int threads) {
   Particles& p = world.particles;
   const KernelSet& set = contact::kernels::kernels();
   const bool far = c.slot.size() * sizeof(Slot) > near_bytes;
+  const contact::kernels::SumLists lists{c.slot.data(), c.active.data(), c.incidence_start.data(),
+                                         c.active_count.data()};
+  const std::size_t all = p.count();
 #pragma omp parallel for schedule(static) num_threads(threads)
-  for (std::size_t i = 0; i < p.count(); ++i) {
-    if (const std::size_t next = i + bodies_ahead; far && next < p.count()) {
-      const std::uint32_t* entry = c.active.data() + c.incidence_start[next];
-      for (std::uint32_t e = 0; e < c.active_count[next]; ++e) fetch(c.slot[entry[e] >> 1]);
-    }
-    contact::kernels::Total total;
-    set.sum_slots(c.slot.data(), c.active.data() + c.incidence_start[i], c.active_count[i], total);
-    p.force[i] = {total.force[0], total.force[1], total.force[2]};
-    p.torque[i] = {total.torque[0], total.torque[1], total.torque[2]};
-  }
+  for (std::size_t first = 0; first < all; first += bodies_at_once)
+    set.sum_slots(lists, first, std::min(all, first + bodies_at_once), far, p.force.data(), p.torque.data());
   for (Wall& w : world.walls) w.force = w.torque = {};
   for (const std::uint32_t k : c.wall_records) {
     if (c.touching[k] == 0) continue;
     Wall& w = world.walls[c.index_b[k]];
-    w.force -= c.slot[k].force;
-    w.torque += c.slot[k].torque_b;
+    w.force -= c.slot[c.slot_of(k)].force;
+    w.torque += c.slot[c.slot_of_b(k)].couple;
   }
   sum_resistance(world);
   world.times.sum += seconds_since(begin);

@@ -226,12 +226,12 @@ void CompoundPass::weigh(std::size_t first, std::size_t last, Working& w) const 
   for (std::size_t i = 0; i < n; ++i) {
     Meet& m = w.meets[w.touching[i]];
     m.contact = w.contacts[i];
-    w.histories.push_back(c_.history[m.record]);
+    w.histories.push_back(c_.history_of(m.record));
   }
   if (n < 2) return;
   for (std::size_t i = 0; i < n && staged_; ++i) pool_memory(i, w);
   pool_histories(w.contacts, w.depth, w.histories);
-  for (std::size_t i = 0; i < n; ++i) c_.history[w.meets[w.touching[i]].record] = w.histories[i];
+  for (std::size_t i = 0; i < n; ++i) c_.history_of(w.meets[w.touching[i]].record) = w.histories[i];
 }
 
 // What a contact that is new finds in the memory of the normal law and of cohesion is that of the deepest with which it
@@ -244,7 +244,7 @@ void CompoundPass::pool_memory(std::size_t i, const Working& w) const {
   for (std::size_t j = 0; j < n; ++j) {
     const std::size_t other = w.meets[w.touching[j]].record;
     if (i == j || c_.touching[other] == 0 || !(w.depth[i * n + j] > 0.5)) continue;
-    if (from == none || c_.history[other].overlap > c_.history[from].overlap) from = other;
+    if (from == none || c_.history_of(other).overlap > c_.history_of(from).overlap) from = other;
   }
   if (from == none) return;
   const auto copy = [&](std::size_t first, std::size_t last) {

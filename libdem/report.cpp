@@ -23,7 +23,7 @@ Vec3d contact_point(const World& world, std::size_t k) {
   const Contacts& c = world.contacts;
   const Motion& a = world.particles.motion[c.index_a[k]];
   if (!c.centre.empty() && !(c.centre[k] == Vec3d{})) return a.position + c.centre[k];
-  return a.position + c.history[k].normal * (a.bounding_radius - 0.5 * c.history[k].overlap);
+  return a.position + c.history_of(k).normal * (a.bounding_radius - 0.5 * c.history_of(k).overlap);
 }
 
 std::vector<std::uint32_t> order_by_id(const World& world) {
@@ -45,10 +45,10 @@ std::vector<ContactReport> touching_contacts(const World& world) {
     r.b = r.wall ? c.index_b[k] : p.id[c.index_b[k]];
     r.part = c.key[k].part;
     r.part_a = c.key[k].part_a;
-    r.overlap = c.history[k].overlap;
-    r.normal = c.history[k].normal;
+    r.overlap = c.history_of(k).overlap;
+    r.normal = c.history_of(k).normal;
     r.point = contact_point(world, k);
-    r.force = c.slot[k].force;
+    r.force = c.slot[c.slot_of(k)].force;
     r.tangential = r.force - r.normal * dot(r.normal, r.force);
     list.push_back(r);
   }
@@ -72,7 +72,7 @@ Energies energies(const World& world) {
       e.elastic += c.memory[(k + 1) * c.words - 1];
       continue;
     }
-    const contact::History& h = c.history[k];
+    const contact::History& h = c.history_of(k);
     const Stiffness s = contact_stiffness(world, k);
     e.elastic += share * s.n * h.overlap * h.overlap;
     if (s.t > 0) e.elastic += 0.5 * dot(h.force_t, h.force_t) / s.t;
@@ -139,7 +139,7 @@ std::uint64_t state_hash(const World& world) {
     add(c.key[k].b);
     add(c.key[k].part);
     if (c.key[k].part_a != 0) add(c.key[k].part_a);
-    add(c.history[k]);
+    add(c.history_of(k));
     for (std::size_t j = 0; j < c.words; ++j) add(c.memory[k * c.words + j]);
   }
   return hash;

@@ -8,6 +8,23 @@ namespace dem {
 namespace {
 
 constexpr double steps_ahead = 16;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Round bodies that have not met: awake are those that are not farther apart than `way`.
+void wake_round(const World& world, Bin& bin, double way) {
+  const Contacts& c = world.contacts;
+  const Motion* motion = world.particles.motion.data();
+  bin.awake.clear();
+  for (std::uint32_t r = 0; r < bin.records.size(); ++r) {
+    if (c.seat[bin.records[r]] != none) continue;
+    const Motion &a = motion[bin.a_index[r]], &b = motion[bin.b_index[r]];
+    Vec3d d = b.position - a.position;
+    if (world.cell.periodic) d = world.cell.lattice.nearest(d);
+    // What rounds is held as in coherence.h.
+    const double reach = (a.bounding_radius + b.bounding_radius) * (1 + 0x1p-36) + way * (1 + 0x1p-19);
+    if (!(dot(d, d) > reach * reach)) bin.awake.push_back(r);
+  }
+}
 
 }  // namespace
 
@@ -15,9 +32,14 @@ void wake(World& world) {
   Contacts& c = world.contacts;
   c.way += c.step_way;
   if (!(c.way > c.way_allowed)) return;
-  const bool known = c.way_allowed >= 0 && !c.travel.empty();
-  const double w = steps_ahead * c.step_way;
+  // In a cell that deforms bodies are carried along beside their own ways.
+  const bool first = c.way_allowed < 0, known = !first && !c.travel.empty();
+  const double w = world.cell.deforms ? infinity : first ? 0 : steps_ahead * c.step_way;
   for (Bin& bin : c.bins) {
+    if (bin.round()) {
+      wake_round(world, bin, 2 * w);
+      continue;
+    }
     if (bin.query == nullptr) continue;
     const std::uint32_t step = bin.regions ? contact::max_regions : 1;
     bin.awake.clear();
@@ -28,7 +50,7 @@ void wake(World& world) {
     }
   }
   c.way = 0;
-  c.way_allowed = known ? w : c.travel.empty() ? std::numeric_limits<double>::infinity() : 0;
+  c.way_allowed = w;
 }
 
 }  // namespace dem

@@ -74,7 +74,7 @@ struct Kept {
   Key key;
   std::uint32_t a, b;
   contact::History history;
-  Slot slot;
+  Vec3d force;
   Vec3d centre;
   double share;
 };
@@ -157,7 +157,7 @@ void write(Writer& w, const World& world) {
   each_touching([&](std::size_t) { ++count; });
   w.value(count);
   each_touching([&](std::size_t k) {
-    w.value(Kept{c.key[k], c.index_a[k], c.index_b[k], c.history[k], c.slot[k],
+    w.value(Kept{c.key[k], c.index_a[k], c.index_b[k], c.history_of(k), c.slot[c.slot_of(k)].force,
                  c.centre.empty() ? Vec3d{} : c.centre[k], c.share.empty() ? 1 : c.share[k]});
   });
   w.value(static_cast<std::uint64_t>(count * c.words));
@@ -215,12 +215,7 @@ void load_state(World& world, const std::vector<std::uint8_t>& bytes) {
   Contacts& c = world.contacts = {};
   const bool parts = has_compounds(world);
   for (const Kept& k : kept) {
-    c.key.push_back(k.key);
-    c.index_a.push_back(k.a);
-    c.index_b.push_back(k.b);
-    c.history.push_back(k.history);
-    c.touching.push_back(1);
-    c.slot.push_back(k.slot);
+    c.list(k.key, k.a, k.b, k.history, k.force);
     c.centre.push_back(k.centre);
     if (parts) c.share.push_back(k.share);
   }

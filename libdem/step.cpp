@@ -80,12 +80,15 @@ void kick_and_drift(World& world, int threads, double dt, const CellStep& flow) 
     const Vec3d moved = body.m.position - before;
     if (periodic) cell.wrap(body.m.position);
     body.turn(dt);
-    if (travel == nullptr) continue;
+    if (travel == nullptr) {
+      farthest = std::max(farthest, dot(moved, moved));
+      continue;
+    }
     const double way = travel_of(moved, turned, p.orientation[i], body.m.bounding_radius);
     travel[i] += way;
     farthest = std::max(farthest, way);
   }
-  world.contacts.step_way = farthest;
+  world.contacts.step_way = travel == nullptr ? std::sqrt(farthest) : farthest;
 }
 
 void kick_again(World& world, int threads, double dt, const CellStep& flow) {

@@ -130,7 +130,7 @@ Compliance compliance_of(const World& world, std::size_t k) {
 }  // namespace
 
 Stiffness contact_stiffness(const World& world, std::size_t k) {
-  return stiffness_of(world, k, world.contacts.history[k].overlap);
+  return stiffness_of(world, k, world.contacts.history_of(k).overlap);
 }
 
 double contact_limit(const World& world, std::size_t k, double overlap) {

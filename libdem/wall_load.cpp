@@ -45,7 +45,7 @@ void book_maps(World& world, double dt) {
   for (const std::uint32_t k : c.wall_records) {
     Wall& w = world.walls[c.index_b[k]];
     if (c.touching[k] == 0 || !w.motion.pressure_map) continue;
-    const Vec3d force = -c.slot[k].force, normal = c.history[k].normal;  // on the wall, into it
+    const Vec3d force = -c.slot[c.slot_of(k)].force, normal = c.history_of(k).normal;  // on the wall, into it
     const double pressing = dot(force, normal);
     const Mat3d r = rotation_matrix(w.orientation);
     const Vec3d x = transposed_times(r, contact_point(world, k) - w.position);

@@ -50,14 +50,18 @@ struct LawChunk {
   Lane spread_xx, spread_yy, spread_zz, spread_xy, spread_xz, spread_yz;
   Lane3 relative_spin;
   // answers
-  Lane3 force;     // on a, N
-  Lane3 couple;    // on a, N m (patch), or for spheres the torque on a
-  Lane3 couple_b;  // spheres: the torque on b
+  Lane3 force;             // on a, N
+  Lane3 couple;            // on a, N m (patch), or for spheres n × force, N
+  Lane3 couple_b;          // on b, N m, where it is not that of a
+  Lane lever_a, lever_b;   // of spheres: their torques are lever · couple, m
 };
 
 using LawKernel = void (*)(LawChunk& chunk, std::size_t count, double dt, const LawOptions& options);
-// False: no normal has turned by more than a right angle since that of its history.
-using SphereKernel = bool (*)(const SphereChunk& in, LawChunk& chunk, std::size_t count);
+struct SphereMeetings {
+  std::uint32_t touching = 0;  // bit i: the pair in lane i overlaps
+  bool turned = false;         // a normal has turned by more than a right angle since that of its history
+};
+using SphereKernel = SphereMeetings (*)(const SphereChunk& in, LawChunk& chunk, std::size_t count);
 using SphereTorqueKernel = void (*)(const SphereChunk& in, LawChunk& chunk, std::size_t count);
 
 // Index lists hold a multiple of four entries at least (padded with any valid index); `count` says how many are meant.
@@ -72,12 +76,17 @@ using PeriodicGatherKernel = void (*)(const Motion* motion, const Index* a, cons
                                       const Lattice& lattice, SphereChunk& out, LawChunk& chunk);
 using LoadHistoryKernel = void (*)(const History* history, const Index* record, std::size_t count, LawChunk& chunk);
 using StoreHistoryKernel = void (*)(const LawChunk& chunk, const Index* record, std::size_t count, History* history);
+// One slot of each: force, couple and levers; or two: force with couple, force with couple_b.
 using StoreSlotsKernel = void (*)(const LawChunk& chunk, const Index* record, std::size_t count, Slot* slot);
-struct Total {
-  alignas(32) double force[4], torque[4];
+// What acts on particles, each the sum of its slots in the order of its list.
+struct SumLists {
+  const Slot* slot;
+  const Index* active;        // entry = slot · 2 + (1 when the particle is b)
+  const Index *start, *count;  // of the list of each particle
 };
-// Adds the slots of one particle in the order of its list (entry = record · 2 + (1 when the particle is b)).
-using SumKernel = void (*)(const Slot* slot, const Index* active, std::size_t count, Total& total);
+// Particles first … last. Slots are fetched ahead where `far`: where they are too many for the caches near the core.
+using SumKernel = void (*)(const SumLists& lists, std::size_t first, std::size_t last, bool far, shapes::Vec3d* force,
+                           shapes::Vec3d* torque);
 
 struct StageSet;  // stages.h: any law of each family
 
@@ -94,7 +103,8 @@ struct KernelSet {
   PeriodicGatherKernel periodic_gather;
   LoadHistoryKernel load_history;
   StoreHistoryKernel store_history;
-  StoreSlotsKernel store_slots;  // force, couple, couple_b
+  StoreSlotsKernel store_slots;   // entry i of `record` is a slot
+  StoreSlotsKernel store_double;  // entry i stands for slots 2 i and 2 i + 1
   SumKernel sum_slots;
   PairKernels pairs;
   SearchKernels search;

@@ -16,7 +16,9 @@ void periodic_gather(const Motion* motion, const Index* a, const Index* b, std::
 void load_history(const History* history, const Index* record, std::size_t count, LawChunk& c);
 void store_history(const LawChunk& c, const Index* record, std::size_t count, History* history);
 void store_slots(const LawChunk& c, const Index* record, std::size_t count, Slot* slot);
-void sum_slots(const Slot* slot, const Index* active, std::size_t count, Total& total);
+void store_double(const LawChunk& c, const Index* record, std::size_t count, Slot* slot);
+void sum_slots(const SumLists& lists, std::size_t first, std::size_t last, bool far, shapes::Vec3d* force,
+               shapes::Vec3d* torque);
 
 bool sphere_pairs(const SphereRow* spheres, const Index* a, const Index* b, std::size_t count,
                   const SphereAnswers& out);

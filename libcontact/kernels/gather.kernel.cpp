@@ -109,23 +109,45 @@ void store_history(const LawChunk& c, const Index* record, std::size_t count, Hi
 }
 
 void store_slots(const LawChunk& c, const Index* record, std::size_t count, Slot* slot) {
-  for (std::size_t i = 0; i < count; i += 4) {  // the fourth of each row is never read
-    lanes(c.force, c.overlap, i).turned().store(slot, sizeof(Slot), record + i, 0, count - i);
-    lanes(c.couple, c.overlap, i).turned().store(slot, sizeof(Slot), record + i, 1, count - i);
-    lanes(c.couple_b, c.overlap, i).turned().store(slot, sizeof(Slot), record + i, 2, count - i);
+  for (std::size_t i = 0; i < count; i += 4) {
+    lanes(c.force, c.lever_a, i).turned().store(slot, sizeof(Slot), record + i, 0, count - i);
+    lanes(c.couple, c.lever_b, i).turned().store(slot, sizeof(Slot), record + i, 1, count - i);
   }
 }
 
-void sum_slots(const Slot* slot, const Index* active, std::size_t count, Total& total) {
-  Row force{}, torque{};
-  for (std::size_t e = 0; e < count; ++e) {
-    const Index is_b = active[e] & 1;
-    const Row& f = row_of(slot, sizeof(Slot), active[e] >> 1, 0);
-    force += is_b != 0 ? -f : f;
-    torque += row_of(slot, sizeof(Slot), active[e] >> 1, 1 + is_b);
+void store_double(const LawChunk& c, const Index* record, std::size_t count, Slot* slot) {
+  const Row no{}, one = no + 1;
+  for (std::size_t i = 0; i < count; i += 4) {
+    const auto store = [&](const Lane3& v, const Row& lever, std::size_t row) {
+      const Rows rows{lane_of(v.x, i), lane_of(v.y, i), lane_of(v.z, i), lever};
+      rows.turned().store(slot, 2 * sizeof(Slot), record + i, row, count - i);
+    };
+    store(c.force, one, 0);
+    store(c.couple, no, 1);
+    store(c.force, no, 2);
+    store(c.couple_b, one, 3);
   }
-  *reinterpret_cast<Row*>(total.force) = force;
-  *reinterpret_cast<Row*>(total.torque) = torque;
+}
+
+void sum_slots(const SumLists& lists, std::size_t first, std::size_t last, bool far, shapes::Vec3d* force,
+               shapes::Vec3d* torque) {
+  constexpr std::size_t ahead = 8;  // particles
+  for (std::size_t i = first; i < last; ++i) {
+    if (far && i + ahead < last) {
+      const Index* list = lists.active + lists.start[i + ahead];
+      for (Index e = 0; e < lists.count[i + ahead]; ++e) __builtin_prefetch(lists.slot + (list[e] >> 1));
+    }
+    const Index* list = lists.active + lists.start[i];
+    Row f{}, t{};
+    for (Index e = 0; e < lists.count[i]; ++e) {
+      const Index is_b = list[e] & 1, at = list[e] >> 1;
+      const Row &on_a = row_of(lists.slot, sizeof(Slot), at, 0), &couple = row_of(lists.slot, sizeof(Slot), at, 1);
+      f += is_b != 0 ? -on_a : on_a;
+      t += couple * (is_b != 0 ? couple[3] : on_a[3]);
+    }
+    force[i] = {f[0], f[1], f[2]};
+    torque[i] = {t[0], t[1], t[2]};
+  }
 }
 
 }  // namespace KERNEL_SET

@@ -54,10 +54,10 @@ void add_contacts(const World& world, const std::vector<std::uint32_t>& order, S
     r.a = place[c.index_a[k]];
     r.b = r.wall ? c.index_b[k] : place[c.index_b[k]];
     r.part = c.key[k].part;
-    r.normal = c.history[k].normal;
+    r.normal = c.history_of(k).normal;
     r.point = contact_point(world, k);
-    r.force = c.slot[k].force;
-    r.overlap = c.history[k].overlap;
+    r.force = c.slot[c.slot_of(k)].force;
+    r.overlap = c.history_of(k).overlap;
     const Vec3d& x = s.position[r.a];
     if (r.wall)
       r.branch = r.point - x;

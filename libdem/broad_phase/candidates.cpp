@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "libdem/broad_phase/levels.h"
@@ -112,7 +113,8 @@ void index_by_particle(World& world) {
   c.active_count.assign(world.particles.count(), 0);
   for (std::size_t i = 0; i < world.particles.count(); ++i)
     for (std::uint32_t e = c.incidence_start[i]; e < c.incidence_start[i + 1]; ++e)
-      if (c.touching[c.incidence[e] >> 1] != 0) c.active[c.incidence_start[i] + c.active_count[i]++] = c.incidence[e];
+      if (c.touching[c.incidence[e] >> 1] != 0)
+        c.active[c.incidence_start[i] + c.active_count[i]++] = c.active_entry(c.incidence[e]);
   std::sort(c.wall_records.begin(), c.wall_records.end(),
             [&](std::uint32_t x, std::uint32_t y) { return c.key[x] < c.key[y]; });
 }
@@ -199,8 +201,6 @@ void lay_out(Rows& rows, Contacts& c) {
   }
 }
 
-constexpr std::uint32_t none = ~std::uint32_t(0);
-
 // Of each record the one of the same key in the old list, or none. Rows of both lists are sorted.
 std::vector<std::uint32_t> origins(const std::vector<Key>& old, const std::vector<Key>& keys, std::uint64_t next_id) {
   // Where the rows of the old list begin, by the id of their particle.
@@ -241,12 +241,55 @@ void book_unseen(World& world, const std::vector<Key>& old, const std::vector<st
   }
 }
 
-bool moved(const World& world, double half) {
+// Seats for all but the pairs of round bodies, in order of the records, then for those of them that touch; histories
+// move there. Round bodies whose contacts resist rolling have two slots as well.
+void seat_records(World& world, const std::vector<std::uint32_t>& from, const std::vector<std::uint32_t>& old_seat) {
+  Contacts& c = world.contacts;
+  c.seat.assign(c.count(), 0);
+  for (const Bin& bin : c.bins)
+    if (bin.round())
+      for (const std::uint32_t k : bin.records) c.seat[k] = none;
+  std::uint32_t seats = 0;
+  for (std::uint32_t& seat : c.seat)
+    if (seat != none) seat = seats++;
+  c.double_seats = world.law.rolls ? none : seats;
+  for (Bin& bin : c.bins) {
+    if (!bin.round()) continue;
+    for (std::size_t r = 0; r < bin.records.size(); ++r) {
+      const std::uint32_t k = bin.records[r];
+      if (c.touching[k] == 0) continue;
+      c.seat[k] = seats++;
+      bin.met.add(k, bin.a_index[r], bin.b_index[r], bin.pair[r], c.seat[k]);
+      bin.met.touching.back() |= std::uint32_t(1) << ((bin.met.count - 1) % contact::kernels::chunk_size);
+    }
+  }
+  const std::vector<contact::History> old = std::exchange(c.history, {});
+  c.history.reserve(seats + seats / 8);
+  c.slot.reserve(c.first_slot(seats) + seats / 8);
+  c.make_seats(seats);
+  for (std::size_t k = 0; k < c.count(); ++k)
+    if (from[k] != none && c.touching[k] != 0) c.history_of(k) = old[old_seat[from[k]]];
+}
+
+// The farthest way of a body from where it was at the last rebuild, squared, m².
+double farthest_square(const World& world) {
+  double farthest = 0;
   for (std::size_t i = 0; i < world.particles.count(); ++i) {
     const Vec3d d = world.particles.motion[i].position - world.contacts.reference[i];
-    if (dot(d, d) >= half * half) return true;
+    farthest = std::max(farthest, dot(d, d));
   }
-  return false;
+  return farthest;
+}
+
+// Looks only where the ways since it looked last may have taken a body that far.
+bool moved(World& world, double half) {
+  Contacts& c = world.contacts;
+  c.since_look += c.step_way;
+  if (c.since_look < c.look_after) return false;
+  const double farthest = std::sqrt(farthest_square(world));
+  c.since_look = 0;
+  c.look_after = (half - farthest) * (1 - 0x1p-20);  // what rounds
+  return farthest >= half;
 }
 
 // A wrapped body has not moved by the length of the box, and bodies that follow the cell keep their neighbours: u is by
@@ -271,7 +314,7 @@ bool moved_in_cell(const World& world, double half) {
 
 }  // namespace
 
-bool candidates_outdated(const World& world) {
+bool candidates_outdated(World& world) {
   const Contacts& c = world.contacts;
   if (c.stale || world.scene.run.rebuild_every == 1) return true;
   if (world.scene.run.rebuild_every > 0 && world.step % world.scene.run.rebuild_every == 0) return true;
@@ -303,14 +346,14 @@ void rebuild_candidates(World& world, int threads) {
   const std::vector<std::uint32_t> from = origins(old, c.key, world.next_id);
   book_unseen(world, old, from);
   const std::size_t total = c.count();
-  c.slot.resize(total);
   c.words = record_words(world);
-  carry(c.history, from);
+  const std::vector<std::uint32_t> old_seat = std::exchange(c.seat, {});
   carry(c.touching, from);
   carry(c.memory, from, c.words);
   carry(c.ledger, from, world.scene.law.ledger ? 1 : 0);
   std::vector<double> share = std::exchange(c.share, {});  // of those that hold on across a gap
   const bool all_spheres = fill_bins(world);
+  seat_records(world, from, old_seat);
   if (!c.share.empty() && !share.empty()) {
     carry(share, from, 1, 1.0);
     c.share = std::move(share);
@@ -323,7 +366,7 @@ void rebuild_candidates(World& world, int threads) {
   c.reference_orientation = has_compounds(world) ? p.orientation : std::vector<Quatd>{};
   c.travel.assign(all_spheres || world.cell.deforms ? 0 : p.count(), 0);
   c.apart_until.assign(all_spheres || world.cell.deforms ? 0 : total, 0);
-  c.step_way = c.way = 0;
+  c.step_way = c.way = c.since_look = c.look_after = 0;
   c.way_allowed = -1;
   for (Wall& wall : world.walls) {
     wall.list_position = wall.seen_position = wall.position;

@@ -166,7 +166,7 @@ double max_overlap(const World& world) {
     if (c.touching[k] == 0) continue;
     double radius = world.particles.motion[c.index_a[k]].equivalent_radius;
     if (c.key[k].b < wall_base) radius = std::min(radius, world.particles.motion[c.index_b[k]].equivalent_radius);
-    largest = std::max(largest, c.history[k].overlap / radius);
+    largest = std::max(largest, c.history_of(k).overlap / radius);
   }
   return largest;
 }

@@ -90,7 +90,7 @@ void check_inserted_walls(World& world) {
   for (const std::uint32_t k : c.wall_records) {
     const Wall& wall = world.walls[c.index_b[k]];
     if (c.touching[k] == 0 || !wall.unchecked) continue;
-    const double size = overlap_radius(world, c.index_a[k]), overlap = c.history[k].overlap;
+    const double size = overlap_radius(world, c.index_a[k]), overlap = c.history_of(k).overlap;
     if (overlap > world.scene.run.max_initial_overlap * size)
       throw RunError("step " + std::to_string(world.step) + ": wall \"" + wall.name + "\" was inserted where body " +
                      std::to_string(world.particles.id[c.index_a[k]]) + " is: they overlap by " +

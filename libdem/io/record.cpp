@@ -98,8 +98,8 @@ void put_contacts(hdf5::File& file, const std::string& at, const World& world) {
     a.push_back(id[c.index_a[i]]);
     b.push_back(c.key[i].b >= wall_base ? c.key[i].b : id[c.index_b[i]]);
     part.push_back(c.key[i].part);
-    overlap.push_back(c.history[i].overlap);
-    twist.push_back(c.history[i].twist);
+    overlap.push_back(c.history_of(i).overlap);
+    twist.push_back(c.history_of(i).twist);
   }
   file.put(at + "/a", a, 1);
   file.put(at + "/b", b, 1);
@@ -114,10 +114,10 @@ void put_contacts(hdf5::File& file, const std::string& at, const World& world) {
     file.put(at + "/part_a", part_a, 1);
     file.put(at + "/share", share, 1);
   }
-  file.put(at + "/force", rows(kept, [&](std::size_t i) { return c.slot[i].force; }), 3);
+  file.put(at + "/force", rows(kept, [&](std::size_t i) { return c.slot[c.slot_of(i)].force; }), 3);
   if (!c.centre.empty()) file.put(at + "/centre", rows(kept, [&](std::size_t i) { return c.centre[i]; }), 3);
-  file.put(at + "/history_force", rows(kept, [&](std::size_t i) { return c.history[i].force_t; }), 3);
-  file.put(at + "/history_normal", rows(kept, [&](std::size_t i) { return c.history[i].normal; }), 3);
+  file.put(at + "/history_force", rows(kept, [&](std::size_t i) { return c.history_of(i).force_t; }), 3);
+  file.put(at + "/history_normal", rows(kept, [&](std::size_t i) { return c.history_of(i).normal; }), 3);
   file.put(at + "/history_overlap", overlap, 1);
   file.put(at + "/history_twist", twist, 1);
   if (c.words == 0) return;
@@ -190,11 +190,9 @@ void get_contacts(const hdf5::File& file, const std::string& at, World& world) {
   };
   Contacts c;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    c.key.push_back({a[i], b[i], part[i]});
-    c.index_a.push_back(index(a[i]));
-    c.index_b.push_back(b[i] >= wall_base ? static_cast<std::uint32_t>(b[i] - wall_base) : index(b[i]));
-    c.history.push_back({vector_at(force_t, i), overlap[i], vector_at(normal, i), twist[i]});
-    c.slot.push_back({vector_at(force, i), {}, {}});
+    const std::uint32_t ib = b[i] >= wall_base ? static_cast<std::uint32_t>(b[i] - wall_base) : index(b[i]);
+    c.list({a[i], b[i], part[i]}, index(a[i]), ib, {vector_at(force_t, i), overlap[i], vector_at(normal, i), twist[i]},
+           vector_at(force, i));
   }
   if (file.has(at + "/part_a")) {
     const auto part_a = file.get<std::uint32_t>(at + "/part_a");
@@ -211,7 +209,6 @@ void get_contacts(const hdf5::File& file, const std::string& at, World& world) {
     c.words = record_words(world);
     if (c.memory.size() != c.words * a.size()) throw RunError("the record's frame " + at + " is damaged: memory");
   }
-  c.touching.assign(a.size(), 1);
   world.contacts = std::move(c);
 }
 

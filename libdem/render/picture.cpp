@@ -20,7 +20,7 @@ std::vector<double> contact_load(const World& world) {
   const Contacts& c = world.contacts;
   for (std::size_t i = 0; i < c.key.size(); ++i) {
     if (!c.touching[i]) continue;
-    const double f = norm(c.slot[i].force);
+    const double f = norm(c.slot[c.slot_of(i)].force);
     load[c.index_a[i]] += f;
     if (c.key[i].b < wall_base) load[c.index_b[i]] += f;
   }

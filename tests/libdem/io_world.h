@@ -71,12 +71,8 @@ inline void add_contact(World& world, std::uint32_t a, std::uint64_t b, const Ve
                         double overlap) {
   Contacts& c = world.contacts;
   const bool wall = b >= wall_base;
-  c.key.push_back({world.particles.id[a], b, 0});
-  c.index_a.push_back(a);
-  c.index_b.push_back(static_cast<std::uint32_t>(wall ? b - wall_base : b));
-  c.history.push_back({force * 0.1, overlap, normal, 0});
-  c.touching.push_back(1);
-  c.slot.push_back({force, {}, {}});
+  c.list({world.particles.id[a], b, 0}, a, static_cast<std::uint32_t>(wall ? b - wall_base : b),
+         {force * 0.1, overlap, normal, 0}, force);
   c.centre.push_back(normal * world.particles.motion[a].bounding_radius);
   c.cache.push_back({});
 }

@@ -1,0 +1,65 @@
+#include "libdem/meetings.h"
+
+#include <algorithm>
+
+#include "libcontact/kernels/chunk.h"
+
+namespace dem {
+namespace {
+
+using contact::kernels::chunk_size;
+
+// Those of the awake pairs of a bin whose spheres overlap: their places in the bin, in order.
+std::vector<std::uint32_t> overlapping(const World& world, const Bin& bin, int threads) {
+  const contact::kernels::KernelSet& set = contact::kernels::kernels();
+  const Motion* motion = world.particles.motion.data();
+  const std::size_t all = bin.awake.size(), chunks = (all + chunk_size - 1) / chunk_size;
+  std::vector<std::uint32_t> found;
+#pragma omp parallel for schedule(static) num_threads(threads) if (chunks > 64)
+  for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+    const std::uint32_t* place = &bin.awake[chunk * chunk_size];
+    const std::size_t n = std::min(chunk_size, all - chunk * chunk_size);
+    std::uint32_t a[chunk_size], b[chunk_size];
+    for (std::size_t i = 0; i < chunk_size; ++i) {
+      a[i] = bin.a_index[place[std::min(i, n - 1)]];
+      b[i] = bin.b_index[place[std::min(i, n - 1)]];
+    }
+    contact::kernels::Lane clearance;
+    if (world.cell.periodic)
+      set.periodic_clearance(motion, a, b, n, world.cell.lattice, clearance);
+    else
+      set.sphere_clearance(motion, a, b, n, clearance);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!(clearance[i] < 0)) continue;
+#pragma omp critical(meeting)
+      found.push_back(place[i]);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace
+
+std::vector<Tally> meet(World& world, int threads) {
+  Contacts& c = world.contacts;
+  std::vector<Tally> tally(c.bins.size() + 1);
+  std::size_t seats = c.history.size();
+  for (std::size_t i = 0; i < c.bins.size(); ++i) {
+    Bin& bin = c.bins[i];
+    if (!bin.round()) continue;
+    const std::vector<std::uint32_t> found = overlapping(world, bin, threads);
+    for (const std::uint32_t place : found) {
+      const std::uint32_t k = bin.records[place];
+      c.seat[k] = static_cast<std::uint32_t>(seats++);
+      bin.met.add(k, bin.a_index[place], bin.b_index[place], bin.pair[place], c.seat[k]);
+    }
+    if (!found.empty())
+      std::erase_if(bin.awake, [&](std::uint32_t place) { return c.seat[bin.records[place]] != none; });
+    tally[i].candidates = tally[i].by_spheres = bin.awake.size();
+  }
+  if (seats > c.history.size()) c.make_seats(seats);
+  return tally;
+}
+
+}  // namespace dem
