@@ -65,7 +65,8 @@ void check_impacts(const World& world, const std::vector<Change>& changed) {
   const Contacts& c = world.contacts;
   TightestContact tightest(world);
   for (const Change& change : changed)
-    tightest.judge(change.record, c.touching[change.record] != 0 ? c.history_of(change.record).overlap : change.overlap);
+    tightest.judge(change.record,
+                   c.touching[change.record] != 0 ? c.history_of(change.record).overlap : change.overlap);
   tightest.stop();
 }
 

@@ -44,8 +44,8 @@ struct Gone {  // a contact that has ended, and what it lost
 
 inline constexpr std::uint32_t none = ~std::uint32_t(0);
 
-// The pairs of round bodies that have met since the list of candidates was made, in chunks: what a step looks at, in the
-// order that their histories have in memory. The arrays are filled up to whole chunks with pairs of the list.
+// The pairs of round bodies that have met since the list of candidates was made, in chunks: what a step looks at, in
+// the order that their histories have in memory. The arrays are filled up to whole chunks with pairs of the list.
 struct Met {
   std::vector<std::uint32_t> record, a, b, pair, seat;
   std::vector<std::uint32_t> touching;  // per chunk: bit i: its pair i touches
@@ -97,7 +97,7 @@ struct PartQuery {
 struct Contacts {
   std::vector<Key> key;  // row by row
   std::vector<std::uint32_t> index_a,
-      index_b;                            // particle index; index_b = wall index for walls. a is lower in kind order
+      index_b;  // particle index; index_b = wall index for walls. a is lower in kind order
   // Where a record has its history and its slots. Pairs of round bodies get a seat when they first touch after a
   // rebuild and keep it until the next one; until then they have none. All others have one from the start.
   std::vector<std::uint32_t> seat;

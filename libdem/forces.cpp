@@ -10,8 +10,8 @@
 #include "libdem/coherence.h"
 #include "libdem/contact_checks.h"
 #include "libdem/force_pass.h"
-#include "libdem/meetings.h"
 #include "libdem/forces_compound.h"
+#include "libdem/meetings.h"
 #include "libdem/regions.h"
 #include "libdem/sleep.h"
 #include "libdem/walls.h"
@@ -39,8 +39,8 @@ class PairPass : public ForcePass {
   }
 
  private:
-  // A chunk of the pairs of round bodies that have met: lanes across all of them, touching or not; what those that do not
-  // touch make of it is thrown away.
+  // A chunk of the pairs of round bodies that have met: lanes across all of them, touching or not; what those that do
+  // not touch make of it is thrown away.
   Tally met_pairs(Met& met, std::size_t chunk, Scratch& s) const {
     const std::size_t first = chunk * chunk_size, n = std::min(chunk_size, met.count - first);
     const std::uint32_t *record = &met.record[first], *a = &met.a[first], *b = &met.b[first], *seat = &met.seat[first];
@@ -61,8 +61,7 @@ class PairPass : public ForcePass {
     s.overlap_before = l.history_overlap;
     if (staged_) prepare_stages(record, n, s);
     run_law(n, false, s);
-    if (lingers_)
-      each_bit(touching, [&](std::size_t i) { touching ^= over(i, s) ? std::uint32_t(1) << i : 0; });
+    if (lingers_) each_bit(touching, [&](std::size_t i) { touching ^= over(i, s) ? std::uint32_t(1) << i : 0; });
     set_.sphere_torques(s.spheres, l, n);
     if (world_.law.rolls) {
       for (std::size_t i = 0; i < n; ++i) {

@@ -50,10 +50,10 @@ struct LawChunk {
   Lane spread_xx, spread_yy, spread_zz, spread_xy, spread_xz, spread_yz;
   Lane3 relative_spin;
   // answers
-  Lane3 force;             // on a, N
-  Lane3 couple;            // on a, N m (patch), or for spheres n × force, N
-  Lane3 couple_b;          // on b, N m, where it is not that of a
-  Lane lever_a, lever_b;   // of spheres: their torques are lever · couple, m
+  Lane3 force;            // on a, N
+  Lane3 couple;           // on a, N m (patch), or for spheres n × force, N
+  Lane3 couple_b;         // on b, N m, where it is not that of a
+  Lane lever_a, lever_b;  // of spheres: their torques are lever · couple, m
 };
 
 using LawKernel = void (*)(LawChunk& chunk, std::size_t count, double dt, const LawOptions& options);
@@ -81,7 +81,7 @@ using StoreSlotsKernel = void (*)(const LawChunk& chunk, const Index* record, st
 // What acts on particles, each the sum of its slots in the order of its list.
 struct SumLists {
   const Slot* slot;
-  const Index* active;        // entry = slot · 2 + (1 when the particle is b)
+  const Index* active;         // entry = slot · 2 + (1 when the particle is b)
   const Index *start, *count;  // of the list of each particle
 };
 // Particles first … last. Slots are fetched ahead where `far`: where they are too many for the caches near the core.

@@ -18,14 +18,14 @@ struct alignas(32) Motion {
 };
 static_assert(sizeof(Motion) == 12 * sizeof(double));
 
-// What a contact gave this step, one cache line: on a the force and, about its centre, the torque lever_a · couple; on b
-// minus the force and the torque lever_b · couple. Of round bodies the couple is n × force. Where the two torques have
-// no couple in common a contact has two slots: the first is a's (levers 1 and 0), the second b's (0 and 1).
+// What a contact gave this step, one cache line: on a the force and, about its centre, the torque lever_a · couple; on
+// b minus the force and the torque lever_b · couple. Of round bodies the couple is n × force. Where the two torques
+// have no couple in common a contact has two slots: the first is a's (levers 1 and 0), the second b's (0 and 1).
 struct alignas(64) Slot {
-  shapes::Vec3d force{};  // on a, N
-  double lever_a{};       // m, or 1
+  shapes::Vec3d force{};   // on a, N
+  double lever_a{};        // m, or 1
   shapes::Vec3d couple{};  // N, or N m
-  double lever_b{};       // m, or 1
+  double lever_b{};        // m, or 1
 };
 static_assert(sizeof(Slot) == 8 * sizeof(double) && sizeof(History) == 8 * sizeof(double));
 

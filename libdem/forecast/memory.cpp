@@ -17,11 +17,13 @@ constexpr double body_size = sizeof(std::uint64_t) + 2 * sizeof(std::uint32_t) +
 // Lists that grow by doubling hold half as much again, on average.
 constexpr double growth = 1.5;
 
-// A candidate in Contacts: its record, its place in a bin and in the lists of its two bodies.
-constexpr double record_size = sizeof(Key) + 2 * sizeof(std::uint32_t) + sizeof(contact::History) + 1 + sizeof(Slot);
+// A candidate in Contacts: its record, its place in a bin and in the lists of its two bodies. Of pairs of round bodies
+// those that have met have a seat: about half of them.
+constexpr double record_size = sizeof(Key) + 3 * sizeof(std::uint32_t) + 1;
+constexpr double met_size = 0.5 * (sizeof(contact::History) + sizeof(Slot) + growth * 5 * sizeof(std::uint32_t));
 constexpr double bin_size = growth * 4 * sizeof(std::uint32_t);
 constexpr double entry_size = 2 * sizeof(std::uint32_t);  // incidence and active
-constexpr double general_size = sizeof(Vec3d) + sizeof(contact::Cache);
+constexpr double general_size = sizeof(Vec3d) + sizeof(contact::Cache) + sizeof(contact::History) + 2 * sizeof(Slot);
 constexpr double row_size = growth * (sizeof(Key) + 2 * sizeof(std::uint32_t));  // while the list is made
 
 double geometry_of(const World& world) {
@@ -56,11 +58,14 @@ Bytes bytes_of(const World& world) {
   sum.bodies = bytes(p.id) + bytes(p.shape) + bytes(p.kind) + bytes(p.material) + bytes(p.size) + bytes(p.motion) +
                bytes(p.orientation) + bytes(p.rotation) + bytes(p.angular_momentum) + bytes(p.inertia) + bytes(p.mass) +
                bytes(p.force) + bytes(p.torque) + bytes(c.reference) + bytes(c.incidence_start) + bytes(c.active_count);
-  sum.contacts = bytes(c.key) + bytes(c.index_a) + bytes(c.index_b) + bytes(c.seat) + bytes(c.history) + bytes(c.memory) +
-                 bytes(c.ledger) + bytes(c.touching) + bytes(c.slot) + bytes(c.centre) + bytes(c.cache) +
-                 bytes(c.incidence) + bytes(c.active) + bytes(c.wall_records) + bytes(c.groups) + bytes(c.part_query) +
-                 bytes(c.share) + bytes(c.reference_orientation);
-  for (const Bin& b : c.bins) sum.contacts += bytes(b.records) + bytes(b.a_index) + bytes(b.b_index) + bytes(b.pair);
+  sum.contacts = bytes(c.key) + bytes(c.index_a) + bytes(c.index_b) + bytes(c.seat) + bytes(c.history) +
+                 bytes(c.memory) + bytes(c.ledger) + bytes(c.touching) + bytes(c.slot) + bytes(c.centre) +
+                 bytes(c.cache) + bytes(c.incidence) + bytes(c.active) + bytes(c.wall_records) + bytes(c.groups) +
+                 bytes(c.part_query) + bytes(c.share) + bytes(c.reference_orientation);
+  for (const Bin& b : c.bins) {
+    sum.contacts += bytes(b.records) + bytes(b.a_index) + bytes(b.b_index) + bytes(b.pair);
+    for (const auto* list : {&b.met.record, &b.met.a, &b.met.b, &b.met.pair, &b.met.seat}) sum.contacts += bytes(*list);
+  }
   sum.geometry = geometry_of(world);
   return sum;
 }
@@ -69,7 +74,7 @@ Bytes bytes_of_packed(const World& world, double bodies, double records, double 
   Bytes sum;
   // Lists of bodies are filled one by one, the last two beside them once per rebuild.
   sum.bodies = bodies * (growth * body_size + sizeof(Vec3d) + 2 * sizeof(std::uint32_t));
-  const double own = record_size + (round ? 0 : general_size);
+  const double own = record_size + (round ? met_size : general_size);
   const double total = bodies * records;
   sum.contacts = total * (own + bin_size) + bodies * (2 * records - wall_records) * entry_size +
                  bodies * wall_records * (growth * sizeof(std::uint32_t));
