@@ -52,7 +52,8 @@ class PairPass : public ForcePass {
       set_.gather_spheres(p_.motion.data(), a, b, n, s.spheres, l);
     set_.load_history(c_.history.data(), seat, n, l);
     const contact::kernels::SphereMeetings now = set_.spheres(s.spheres, l, n);
-    const std::uint32_t all = ~std::uint32_t(0) >> (chunk_size - n), was = met.touching[chunk];
+    const std::uint32_t all = n < chunk_size ? (std::uint32_t(1) << n) - 1 : ~std::uint32_t(0);
+    const std::uint32_t was = met.touching[chunk];
     std::uint32_t touching = (now.touching & all) | (lingers_ ? was : 0);
     if (now.turned)
       each_bit(touching, [&](std::size_t i) {

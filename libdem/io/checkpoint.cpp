@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t magic = 0x3130706b434d4544u;  // "DEMCkp01"
-constexpr std::uint64_t format = 7;
+constexpr std::uint64_t format = 8;
 constexpr std::size_t kept = 2;
 constexpr std::string_view prefix = "checkpoint-", suffix = ".bin";
 
