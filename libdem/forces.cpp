@@ -355,7 +355,8 @@ void book(World& world, const std::vector<Tally>& tally) {
       const Bin& bin = world.contacts.bins[i];
       const std::size_t asleep = bin.records.size() / (bin.regions ? contact::max_regions : 1) - t.candidates;
       t.candidates += asleep;
-      t.by_displacement += asleep;
+      // Round pairs are told apart by their spheres in the step that lists the awake, and by their ways after it.
+      (bin.round() && world.contacts.way == 0 ? t.by_spheres : t.by_displacement) += asleep;
     }
     if (i + 1 == tally.size()) {
       world.profile.parts += t;

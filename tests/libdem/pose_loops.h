@@ -152,6 +152,7 @@ class Arena {
     set(pose);
     // Bodies that are led do not tell how far they went.
     std::fill(world_.contacts.apart_until.begin(), world_.contacts.apart_until.end(), 0.0);
+    world_.contacts.way_allowed = -1;
     compute_forces(world_, 1, dt);
     sum_forces(world_, 1);
   }
