@@ -332,7 +332,6 @@ World build_world(const Scene& scene) {
   rebuild_candidates(world, 1);
   compute_forces(world, 1, 0.0);  // no time has passed: history of initial contacts begins without slip
   check_initial_overlap(world, where);
-  sum_forces(world, 1);
   add_drag(world, 1, 0.0);
   const Vec3d p = momentum(world);
   world.balance.initial_momentum = {p.x, p.y, p.z};

@@ -34,6 +34,11 @@ class TightestContact {
     record_ = k;
     found_ = true;
   }
+  void judge(std::span<const Change> changed) {
+    const Contacts& c = world_.contacts;
+    for (const Change& x : changed)
+      judge(x.record, c.touching[x.record] != 0 ? c.history_of(x.record).overlap : x.overlap);
+  }
   // Throws when there is one.
   void stop() const {
     if (found_)
@@ -61,14 +66,14 @@ void check_passages(const World& world, const std::vector<std::uint32_t>& throug
       world.step, parties(world, k), c.history_of(k).overlap));
 }
 
-void check_impacts(const World& world, const std::vector<Change>& changed) {
-  const Contacts& c = world.contacts;
-  TightestContact tightest(world);
-  for (const Change& change : changed)
-    tightest.judge(change.record,
-                   c.touching[change.record] != 0 ? c.history_of(change.record).overlap : change.overlap);
-  tightest.stop();
-}
+struct ImpactCheck::Tightest : TightestContact {
+  using TightestContact::TightestContact;
+};
+ImpactCheck::ImpactCheck(const World& world) : tightest_(std::make_unique<Tightest>(world)) {}
+ImpactCheck::~ImpactCheck() = default;
+
+void ImpactCheck::judge(std::span<const Change> changed) { tightest_->judge(changed); }
+void ImpactCheck::stop() const { tightest_->stop(); }
 
 void check_contacts(const World& world) {
   const Contacts& c = world.contacts;

@@ -1,6 +1,8 @@
 // What is checked of the contacts of a step, once they are all answered; each throws a RunError that names the bodies.
 #pragma once
 
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "libdem/world.h"
@@ -13,6 +15,16 @@ void check_passages(const World& world, const std::vector<std::uint32_t>& throug
 
 // An impact may be over before the monitor of the time step looks: each contact is judged as it comes, and by the
 // overlap that it had in its last step as it goes.
-void check_impacts(const World& world, const std::vector<Change>& changed);
+class ImpactCheck {
+ public:
+  explicit ImpactCheck(const World& world);
+  ~ImpactCheck();
+  void judge(std::span<const Change> changed);
+  void stop() const;  // throws when one has failed
+
+ private:
+  struct Tightest;
+  std::unique_ptr<Tightest> tightest_;
+};
 
 }  // namespace dem

@@ -82,6 +82,14 @@ struct Bin {
   bool round() const { return query == nullptr && !wall; }
 };
 
+// The order in which a step goes through chunks of round pairs and through blocks of bodies; see sweep.h.
+struct Sweep {
+  std::uint32_t bin = none;  // whose chunks; none: there are none
+  std::size_t chunks = 0;    // of its Met: whole ones at the last rebuild
+  std::vector<std::uint32_t> first, last;  // of each block of bodies: the chunks that its pairs lie between, or none
+  std::vector<std::uint32_t> order;        // the blocks by their last chunk
+};
+
 // The records of one pair of bodies, or of a body and a wall, of which one at least has parts: they follow one another
 // and are answered together, because parts of one body share what they touch (contact_share.h). Their index_a is the
 // body key.a.
@@ -104,6 +112,7 @@ struct Contacts {
   std::vector<contact::History> history;  // by seat; zero when not touching
   std::vector<Slot> slot;                 // seats below double_seats have two, the others one
   std::uint32_t double_seats = 0;
+  std::uint32_t round_seats = 0;  // seats from this one on are those of pairs of round bodies
   // What laws remember beside the History, `words` doubles per record: their states, then what the map does
   // (law_map.h), then the stored energy (J). Empty where the fused kernels do.
   std::vector<double> memory;
@@ -130,9 +139,12 @@ struct Contacts {
   std::vector<Quatd> reference_orientation;    // of the particles, at the last rebuild
   std::vector<std::uint32_t> incidence_start;  // per particle (count + 1): its records in order of partner
   std::vector<std::uint32_t> incidence;        // record · 2 + (1 when the particle is b)
-  // Per particle, from the same start: of those of its records that touch the slot · 2 + (1 when the particle is b).
+  // Per particle, from the same start, of those of its records that count: the slot · 2 + (1 when the particle is b).
+  // Pairs of round bodies count from when they meet: the slots of those that do not touch are zero. Others count while
+  // they touch.
   std::vector<std::uint32_t> active;
   std::vector<std::uint32_t> active_count;
+  Sweep sweep;
   std::vector<std::uint32_t> wall_records;  // records with a wall
   std::vector<Vec3d> reference;             // particle positions at the last rebuild
   double largest_sum = 0;                   // of the bounding radii of two bodies, m
@@ -146,6 +158,7 @@ struct Contacts {
   std::size_t slot_of(std::size_t k) const { return first_slot(seat[k]); }
   std::size_t slot_of_b(std::size_t k) const { return slot_of(k) + (seat[k] < double_seats ? 1 : 0); }
   std::size_t first_slot(std::uint32_t at) const { return std::size_t(at) + std::min(at, double_seats); }
+  bool counts(std::size_t k) const { return touching[k] != 0 || (seat[k] >= round_seats && seat[k] != none); }
   // The entry of `active` for one of `incidence`.
   std::uint32_t active_entry(std::uint32_t incident) const {
     const std::size_t k = incident >> 1;

@@ -15,14 +15,10 @@
 // overshoot. Without contacts the rate is rate_limit.
 #pragma once
 
+#include "libdem/integrators/bodies.h"
 #include "libdem/world.h"
 
 namespace dem {
-
-struct CellStep {         // (1) over one step
-  Vec3d slowed{1, 1, 1};  // factor on velocities, in half a step
-  Vec3d scale{1, 1, 1};   // of the box
-};
 
 // The cell of a scene at t = 0; taking the bodies into it is the caller's.
 void make_cell(World& world);

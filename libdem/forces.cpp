@@ -1,20 +1,15 @@
-#include "libdem/forces.h"
+#include "libdem/pair_answers.h"
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cmath>
 
 #include "libcontact/methods/polygon_regions.h"
 #include "libdem/build.h"
 #include "libdem/coherence.h"
-#include "libdem/contact_checks.h"
 #include "libdem/force_pass.h"
-#include "libdem/forces_compound.h"
-#include "libdem/meetings.h"
 #include "libdem/regions.h"
 #include "libdem/sleep.h"
-#include "libdem/walls.h"
 
 namespace dem {
 namespace {
@@ -44,37 +39,20 @@ class PairPass : public ForcePass {
   Tally met_pairs(Met& met, std::size_t chunk, Scratch& s) const {
     const std::size_t first = chunk * chunk_size, n = std::min(chunk_size, met.count - first);
     const std::uint32_t *record = &met.record[first], *a = &met.a[first], *b = &met.b[first], *seat = &met.seat[first];
-    LawChunk& l = s.law;
     for (std::size_t i = 0; i < n; ++i) load_pair(i, met.pair[first + i], s);
-    if (lattice_ != nullptr)
-      set_.periodic_gather(p_.motion.data(), a, b, n, *lattice_, s.spheres, l);
-    else
-      set_.gather_spheres(p_.motion.data(), a, b, n, s.spheres, l);
-    set_.load_history(c_.history.data(), seat, n, l);
-    const contact::kernels::SphereMeetings now = set_.spheres(s.spheres, l, n);
     const std::uint32_t all = n < chunk_size ? (std::uint32_t(1) << n) - 1 : ~std::uint32_t(0);
     const std::uint32_t was = met.touching[chunk];
-    std::uint32_t touching = (now.touching & all) | (lingers_ ? was : 0);
-    if (now.turned)
-      each_bit(touching, [&](std::size_t i) {
-        if (dot(get(l.history_normal, i), get(l.normal, i)) < 0) s.through.push_back(record[i]);
-      });
-    s.overlap_before = l.history_overlap;
-    if (staged_) prepare_stages(record, n, s);
-    run_law(n, false, s);
-    if (lingers_) each_bit(touching, [&](std::size_t i) { touching ^= over(i, s) ? std::uint32_t(1) << i : 0; });
-    set_.sphere_torques(s.spheres, l, n);
-    if (world_.law.rolls) {
-      for (std::size_t i = 0; i < n; ++i) {
-        const Vec3d moment = get(s.work.moment, i), couple = get(l.couple, i);
-        put(l.couple, i, couple * l.lever_a[i] + moment);
-        put(l.couple_b, i, couple * l.lever_b[i] - moment);
-      }
-      store_double(seat, n, s);
+    contact::kernels::SphereMeetings now;
+    if (staged_) {
+      now = met_in_stages(record, a, b, seat, n, was, s);
     } else {
-      set_.store_history(l, seat, n, c_.history.data());
-      set_.store_slots(l, seat, n, c_.slot.data() + c_.double_seats);
+      const contact::kernels::SphereContacts contacts{
+          p_.motion.data(),   a, b, seat, n, lattice_, &s.law.pair, dt_, &world_.law_options, c_.history.data(),
+          c_.slot.data() + c_.double_seats, &s.overlap_before};
+      now = world_.law.hertzian ? set_.sphere_contacts_hertz(contacts) : set_.sphere_contacts_linear(contacts);
     }
+    const std::uint32_t touching = now.touching & all;
+    each_bit(touching & now.turned, [&](std::size_t i) { s.through.push_back(record[i]); });
     each_bit(all & ~touching & ~was, [&](std::size_t i) { silence(record[i]); });
     each_bit(touching ^ was, [&](std::size_t i) {
       if ((touching >> i & 1) != 0)
@@ -88,6 +66,39 @@ class PairPass : public ForcePass {
     t.touching = static_cast<std::size_t>(std::popcount(touching));
     t.by_spheres = n - t.touching;
     return t;
+  }
+
+  // The same for laws that remember more, resist rolling, or hold on across a gap: kernel after kernel over the chunk.
+  contact::kernels::SphereMeetings met_in_stages(const std::uint32_t* record, const std::uint32_t* a,
+                                                 const std::uint32_t* b, const std::uint32_t* seat, std::size_t n,
+                                                 std::uint32_t was, Scratch& s) const {
+    LawChunk& l = s.law;
+    if (lattice_ != nullptr)
+      set_.periodic_gather(p_.motion.data(), a, b, n, *lattice_, s.spheres, l);
+    else
+      set_.gather_spheres(p_.motion.data(), a, b, n, s.spheres, l);
+    set_.load_history(c_.history.data(), seat, n, l);
+    contact::kernels::SphereMeetings now = set_.spheres(s.spheres, l, n);
+    if (lingers_) now.touching |= was;
+    s.overlap_before = l.history_overlap;
+    prepare_stages(record, n, s);
+    run_law(n, false, s);
+    if (lingers_) each_bit(now.touching, [&](std::size_t i) {
+        if (i < n && over(i, s)) now.touching ^= std::uint32_t(1) << i;
+      });
+    set_.sphere_torques(s.spheres, l, n);
+    if (world_.law.rolls) {
+      for (std::size_t i = 0; i < n; ++i) {
+        const Vec3d moment = get(s.work.moment, i), couple = get(l.couple, i);
+        put(l.couple, i, couple * l.lever_a[i] + moment);
+        put(l.couple_b, i, couple * l.lever_b[i] - moment);
+      }
+      store_double(seat, n, s);
+    } else {
+      set_.store_history(l, seat, n, c_.history.data());
+      set_.store_slots(l, seat, n, c_.slot.data() + c_.double_seats);
+    }
+    return now;
   }
 
   // What laws in stages want beside the rest, and maps.
@@ -311,160 +322,15 @@ class PairPass : public ForcePass {
   }
 };
 
-// Lists the touching records of both bodies of record k anew; the order stays that of the partners.
-void relist(Contacts& c, std::uint32_t k) {
-  const auto body = [&](std::uint32_t i) {
-    const std::uint32_t first = c.incidence_start[i];
-    std::uint32_t n = 0;
-    for (std::uint32_t e = first; e < c.incidence_start[i + 1]; ++e)
-      if (c.touching[c.incidence[e] >> 1] != 0) c.active[first + n++] = c.active_entry(c.incidence[e]);
-    c.active_count[i] = n;
-  };
-  body(c.index_a[k]);
-  if (c.key[k].b < wall_base) body(c.index_b[k]);
-}
-
-// What the contacts that have ended lost, in the order of their keys.
-void book_lost(World& world, const std::vector<Change>& changed) {
-  std::vector<Gone>& gone = world.contacts.gone;
-  for (const Change& c : changed)
-    if (world.contacts.touching[c.record] == 0) gone.push_back({world.contacts.key[c.record], c.lost});
-  std::sort(gone.begin(), gone.end(), [](const Gone& x, const Gone& y) { return x.key < y.key; });
-  for (const Gone& g : gone)
-    for (std::size_t m = 0; m < contact::mechanism_count; ++m) world.balance.lost[m].add(g.lost[m]);
-  gone.clear();
-}
-
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
-// Pairs of a task: as many lanes as a chunk has where kernels run across pairs, less where pairs are dear or have many
-// records.
-std::size_t task_size(const Bin& bin) {
-  if (bin.regions) return chunk_size / contact::max_regions;
-  return bin.a == shapes::Kind::ellipsoid || bin.a == shapes::Kind::ellipse ? chunk_size : chunk_size / 2;
-}
-
-// What became of the candidates of each bin, and last of the groups.
-void book(World& world, const std::vector<Tally>& tally) {
-  Counters& n = world.counters;
-  for (std::size_t i = 0; i < tally.size(); ++i) {
-    Tally t = tally[i];
-    if (i + 1 < tally.size()) {
-      const Bin& bin = world.contacts.bins[i];
-      const std::size_t asleep = bin.records.size() / (bin.regions ? contact::max_regions : 1) - t.candidates;
-      t.candidates += asleep;
-      // Round pairs are told apart by their spheres in the step that lists the awake, and by their ways after it.
-      (bin.round() && world.contacts.way == 0 ? t.by_spheres : t.by_displacement) += asleep;
-    }
-    if (i + 1 == tally.size()) {
-      world.profile.parts += t;
-    } else {
-      const Bin& bin = world.contacts.bins[i];
-      world.profile.pairs[static_cast<std::size_t>(bin.a)][static_cast<std::size_t>(bin.b)] += t;
-    }
-    n.queries += t.candidates;
-    n.contact_steps += t.touching;
-    n.not_converged += t.not_converged;
-    n.uncertified += t.uncertified;
-    n.handed_over += t.handed_over;
-  }
-}
-
 }  // namespace
 
-void compute_forces(World& world, int threads, double dt) {
-  const auto begin = std::chrono::steady_clock::now();
-  wake(world);
-  const std::vector<Tally> looked = meet(world, threads);
-  const PairPass pass(world, dt);
-  const CompoundPass compounds(world, dt);
-  const bool timed = world.profile.timed;
-  Bin* bins = world.contacts.bins.data();
-  // Tasks of about ten microseconds, the dear ones first, so that threads end together.
-  struct Task {
-    Bin* bin;  // null: groups
-    std::size_t first, last;
-  };
-  std::vector<Task> tasks;
-  const auto add = [&tasks](Bin& bin, std::size_t count, std::size_t size) {
-    for (std::size_t i = 0; i < count; i += size) tasks.push_back({&bin, i, std::min(i + size, count)});
-  };
-  const std::vector<Group>& groups = world.contacts.groups;
-  for (std::size_t first = 0, g = 0, records = 0; g < groups.size(); ++g) {
-    records += groups[g].count;
-    if (records < chunk_size && g + 1 < groups.size()) continue;
-    tasks.push_back({nullptr, first, g + 1});
-    first = g + 1;
-    records = 0;
-  }
-  for (Bin& b : world.contacts.bins)
-    if (b.query != nullptr) add(b, b.awake.size(), task_size(b));
-  for (Bin& b : world.contacts.bins) {
-    if (b.round()) add(b, b.met.touching.size(), 8);
-    if (b.query == nullptr && b.wall) add(b, b.records.size(), 8 * chunk_size);
-  }
-  std::vector<Tally> total = looked;
-  std::vector<Change> changed;
-  std::vector<std::uint32_t> through;
-#pragma omp parallel num_threads(threads)
-  {
-    static thread_local Scratch scratch;
-    std::fill(std::begin(scratch.pair), std::end(scratch.pair), ~std::uint32_t(0));
-    scratch.tally.assign(world.contacts.bins.size() + 1, {});
-#pragma omp for schedule(dynamic, 1)
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
-      const Task& task = tasks[i];
-      const auto start = timed ? std::chrono::steady_clock::now() : begin;
-      Tally mine = task.bin == nullptr ? compounds.answer(task.first, task.last, scratch)
-                                       : pass.answer(*task.bin, task.first, task.last, scratch);
-      if (timed) mine.seconds = seconds_since(start);
-      scratch.tally[task.bin == nullptr ? total.size() - 1 : static_cast<std::size_t>(task.bin - bins)] += mine;
-    }
-#pragma omp critical
-    {
-      for (std::size_t i = 0; i < total.size(); ++i) total[i] += scratch.tally[i];
-      changed.insert(changed.end(), scratch.changed.begin(), scratch.changed.end());
-      through.insert(through.end(), scratch.through.begin(), scratch.through.end());
-      scratch.changed.clear();
-      scratch.through.clear();
-    }
-  }
-  for (const Change& c : changed) relist(world.contacts, c.record);
-  if (!world.contacts.ledger.empty()) book_lost(world, changed);
-  if (dt > 0) {
-    check_passages(world, through);
-    check_impacts(world, changed);
-  }
-  book(world, total);
-  world.times.query += seconds_since(begin);
-}
-
-constexpr std::size_t near_bytes = 8U << 20;  // of slots that the caches near the core hold
-constexpr std::size_t bodies_at_once = 256;
-
-void sum_forces(World& world, int threads) {
-  const auto begin = std::chrono::steady_clock::now();
-  const Contacts& c = world.contacts;
-  Particles& p = world.particles;
-  const KernelSet& set = contact::kernels::kernels();
-  const bool far = c.slot.size() * sizeof(Slot) > near_bytes;
-  const contact::kernels::SumLists lists{c.slot.data(), c.active.data(), c.incidence_start.data(),
-                                         c.active_count.data()};
-  const std::size_t all = p.count();
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (std::size_t first = 0; first < all; first += bodies_at_once)
-    set.sum_slots(lists, first, std::min(all, first + bodies_at_once), far, p.force.data(), p.torque.data());
-  for (Wall& w : world.walls) w.force = w.torque = {};
-  for (const std::uint32_t k : c.wall_records) {
-    if (c.touching[k] == 0) continue;
-    Wall& w = world.walls[c.index_b[k]];
-    w.force -= c.slot[c.slot_of(k)].force;
-    w.torque += c.slot[c.slot_of_b(k)].couple;
-  }
-  sum_resistance(world);
-  world.times.sum += seconds_since(begin);
+struct PairAnswers::Pass : PairPass {
+  using PairPass::PairPass;
+};
+PairAnswers::PairAnswers(World& world, double dt) : pass_(std::make_unique<const Pass>(world, dt)) {}
+PairAnswers::~PairAnswers() = default;
+Tally PairAnswers::answer(Bin& bin, std::size_t first, std::size_t last, Scratch& s) const {
+  return pass_->answer(bin, first, last, s);
 }
 
 }  // namespace dem

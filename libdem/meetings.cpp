@@ -41,6 +41,18 @@ std::vector<std::uint32_t> overlapping(const World& world, const Bin& bin, int t
 
 }  // namespace
 
+void relist(Contacts& c, std::uint32_t k) {
+  const auto body = [&](std::uint32_t i) {
+    const std::uint32_t first = c.incidence_start[i];
+    std::uint32_t n = 0;
+    for (std::uint32_t e = first; e < c.incidence_start[i + 1]; ++e)
+      if (c.counts(c.incidence[e] >> 1)) c.active[first + n++] = c.active_entry(c.incidence[e]);
+    c.active_count[i] = n;
+  };
+  body(c.index_a[k]);
+  if (c.key[k].b < wall_base) body(c.index_b[k]);
+}
+
 std::vector<Tally> meet(World& world, int threads) {
   Contacts& c = world.contacts;
   std::vector<Tally> tally(c.bins.size() + 1);
@@ -53,6 +65,7 @@ std::vector<Tally> meet(World& world, int threads) {
       const std::uint32_t k = bin.records[place];
       c.seat[k] = static_cast<std::uint32_t>(seats++);
       bin.met.add(k, bin.a_index[place], bin.b_index[place], bin.pair[place], c.seat[k]);
+      relist(c, k);
     }
     if (!found.empty())
       std::erase_if(bin.awake, [&](std::uint32_t place) { return c.seat[bin.records[place]] != none; });

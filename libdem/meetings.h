@@ -10,4 +10,7 @@ namespace dem {
 // Per bin, and last the groups: the awake pairs of round bodies that have not met yet. Cost: 2 ns for each.
 std::vector<Tally> meet(World& world, int threads);
 
+// Lists what counts of both bodies of record k anew (Contacts::active); the order stays that of the partners.
+void relist(Contacts& c, std::uint32_t k);
+
 }  // namespace dem

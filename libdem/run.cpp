@@ -130,14 +130,16 @@ RunEnd run(World& world, const RunOptions& options, bool resumed) {
   auto shown = Clock::now();
   try {
     while (!finished(world)) {
-      if (options.interrupt && options.interrupt->load(std::memory_order_relaxed)) {
+      const bool interrupted = options.interrupt && options.interrupt->load(std::memory_order_relaxed);
+      if (interrupted && !world.ahead) {
         timed(world.times.output, [&] {
           output.checkpoint(world);
           output.summary(world, "interrupted");
         });
         return RunEnd::interrupted;
       }
-      advance(world, options.threads);
+      const bool looked_at = interrupted || options.observe || output.due_now(world.step + 1);
+      advance(world, options.threads, !looked_at && world.step + 1 < total_steps(world));
       if (options.observe) options.observe(world);
       if (output.due_now(world.step)) timed(world.times.output, [&] { output.write_due(world); });
       if (options.progress && seconds_since(shown) >= 0.1) {

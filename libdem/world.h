@@ -126,7 +126,7 @@ struct EventRecord {
 
 struct PhaseTimes {                  // wall seconds
   std::uint64_t particle_steps = 0;  // in that time
-  double broad = 0, query = 0, sum = 0, integrate = 0, walls = 0, output = 0, loop = 0;
+  double broad = 0, query = 0, integrate = 0, walls = 0, output = 0, loop = 0;
 };
 
 struct TimeStep {          // how dt was found
@@ -161,6 +161,7 @@ struct World {
   std::vector<Condition> conditions;  // of the events; not part of the state
   Condition until;
   std::uint64_t ended_by = 0;  // 0: not yet; 1: run.until; 2 + i: event i
+  bool ahead = false;          // the bodies stand where the next step's drift has taken them; see advance()
   PhaseTimes times;            // not part of the state, nor is the next
   Profile profile;
   double time() const { return static_cast<double>(step) * time_step.dt; }
@@ -175,9 +176,10 @@ std::uint64_t total_steps(const World& world);
 // Whether the run has come to its end: these steps, run.until, or an event that stops it; and which of the latter two.
 bool finished(const World& world);
 std::string ended_by(const World& world);
-// Advances by one step. threads >= 1. Throws RunError when a monitored bound is passed or a value is
-// not finite.
-void advance(World& world, int threads);
+// Advances by one step. threads >= 1; `more`: another step follows before anything looks at the bodies, whose poses and
+// velocities may then be those of that step already. Throws RunError when a monitored bound is passed or a value is not
+// finite.
+void advance(World& world, int threads, bool more = false);
 
 struct RunError : std::runtime_error {
   using std::runtime_error::runtime_error;

@@ -57,11 +57,26 @@ struct LawChunk {
 };
 
 using LawKernel = void (*)(LawChunk& chunk, std::size_t count, double dt, const LawOptions& options);
-struct SphereMeetings {
-  std::uint32_t touching = 0;  // bit i: the pair in lane i overlaps
-  bool turned = false;         // a normal has turned by more than a right angle since that of its history
+struct SphereMeetings {            // bit i: of the pair in lane i; those past `count` mean nothing
+  std::uint32_t touching = 0;  // it overlaps
+  std::uint32_t turned = 0;    // its normal has turned by more than a right angle since that of its history
 };
 using SphereKernel = SphereMeetings (*)(const SphereChunk& in, LawChunk& chunk, std::size_t count);
+// All of it for pairs of spheres whose law is one of the two below: bodies and histories are read, histories and slots
+// written, one slot a pair. The lists are filled up to a whole chunk.
+struct SphereContacts {
+  const Motion* motion;
+  const Index *a, *b, *seat;
+  std::size_t count;
+  const Lattice* lattice;  // null: bodies have no images
+  const PairOf<Lane>* pair;
+  double dt;  // s
+  const LawOptions* options;
+  History* history;  // by seat, as the next
+  Slot* slot;
+  Lane* overlap_before;  // out: of the histories, m
+};
+using SphereContactKernel = SphereMeetings (*)(const SphereContacts& contacts);
 using SphereTorqueKernel = void (*)(const SphereChunk& in, LawChunk& chunk, std::size_t count);
 
 // Index lists hold a multiple of four entries at least (padded with any valid index); `count` says how many are meant.
@@ -78,22 +93,13 @@ using LoadHistoryKernel = void (*)(const History* history, const Index* record, 
 using StoreHistoryKernel = void (*)(const LawChunk& chunk, const Index* record, std::size_t count, History* history);
 // One slot of each: force, couple and levers; or two: force with couple, force with couple_b.
 using StoreSlotsKernel = void (*)(const LawChunk& chunk, const Index* record, std::size_t count, Slot* slot);
-// What acts on particles, each the sum of its slots in the order of its list.
-struct SumLists {
-  const Slot* slot;
-  const Index* active;         // entry = slot · 2 + (1 when the particle is b)
-  const Index *start, *count;  // of the list of each particle
-};
-// Particles first … last. Slots are fetched ahead where `far`: where they are too many for the caches near the core.
-using SumKernel = void (*)(const SumLists& lists, std::size_t first, std::size_t last, bool far, shapes::Vec3d* force,
-                           shapes::Vec3d* torque);
-
 struct StageSet;  // stages.h: any law of each family
 
 struct KernelSet {
   const char* name;                                     // sse2, avx2, avx512
   SphereKernel spheres;                                 // before the law
   SphereTorqueKernel sphere_torques;                    // after it
+  SphereContactKernel sphere_contacts_hertz, sphere_contacts_linear;
   LawKernel hertz_mindlin, spring_dashpot;              // point contacts
   LawKernel hertz_mindlin_patch, spring_dashpot_patch;  // contacts over a patch
   const StageSet* stages;
@@ -105,7 +111,6 @@ struct KernelSet {
   StoreHistoryKernel store_history;
   StoreSlotsKernel store_slots;   // entry i of `record` is a slot
   StoreSlotsKernel store_double;  // entry i stands for slots 2 i and 2 i + 1
-  SumKernel sum_slots;
   PairKernels pairs;
   SearchKernels search;
 };

@@ -17,8 +17,9 @@ void load_history(const History* history, const Index* record, std::size_t count
 void store_history(const LawChunk& c, const Index* record, std::size_t count, History* history);
 void store_slots(const LawChunk& c, const Index* record, std::size_t count, Slot* slot);
 void store_double(const LawChunk& c, const Index* record, std::size_t count, Slot* slot);
-void sum_slots(const SumLists& lists, std::size_t first, std::size_t last, bool far, shapes::Vec3d* force,
-               shapes::Vec3d* torque);
+
+SphereMeetings sphere_contacts_hertz(const SphereContacts& c);
+SphereMeetings sphere_contacts_linear(const SphereContacts& c);
 
 bool sphere_pairs(const SphereRow* spheres, const Index* a, const Index* b, std::size_t count,
                   const SphereAnswers& out);

@@ -129,26 +129,5 @@ void store_double(const LawChunk& c, const Index* record, std::size_t count, Slo
   }
 }
 
-void sum_slots(const SumLists& lists, std::size_t first, std::size_t last, bool far, shapes::Vec3d* force,
-               shapes::Vec3d* torque) {
-  constexpr std::size_t ahead = 8;  // particles
-  for (std::size_t i = first; i < last; ++i) {
-    if (far && i + ahead < last) {
-      const Index* list = lists.active + lists.start[i + ahead];
-      for (Index e = 0; e < lists.count[i + ahead]; ++e) __builtin_prefetch(lists.slot + (list[e] >> 1));
-    }
-    const Index* list = lists.active + lists.start[i];
-    Row f{}, t{};
-    for (Index e = 0; e < lists.count[i]; ++e) {
-      const Index is_b = list[e] & 1, at = list[e] >> 1;
-      const Row &on_a = row_of(lists.slot, sizeof(Slot), at, 0), &couple = row_of(lists.slot, sizeof(Slot), at, 1);
-      f += is_b != 0 ? -on_a : on_a;
-      t += couple * (is_b != 0 ? couple[3] : on_a[3]);
-    }
-    force[i] = {f[0], f[1], f[2]};
-    torque[i] = {t[0], t[1], t[2]};
-  }
-}
-
 }  // namespace KERNEL_SET
 }  // namespace contact::kernels

@@ -3,6 +3,7 @@
 #include "libcontact/kernels/extreme_sets.h"
 #include "libcontact/kernels/gather.h"
 #include "libcontact/kernels/law_kernel.h"
+#include "libcontact/kernels/sphere_meeting.h"
 #include "libcontact/kernels/stages.h"
 #include "libcontact/laws/normal/hertz.h"
 #include "libcontact/laws/normal/linear.h"
@@ -25,26 +26,20 @@ constexpr BitOfLane bit_of_lane;
 
 // Overlap, normal and contact-point velocity of sphere pairs; the contact point is midway in the overlap.
 SphereMeetings spheres(const SphereChunk& s, LawChunk& c, std::size_t count) {
-  using std::sqrt;
-  typename Pack::mask_type turned(false);
-  Pack bits(0);  // of the lanes that touch, as a sum of powers of two
+  Pack touching(0), turned(0);  // the lanes, as sums of powers of two
   for (std::size_t i = 0; i < count; i += Pack::size()) {
-    const V d = load(s.offset, i);
-    const Pack ra = load(s.radius_a, i), rb = load(s.radius_b, i);
-    const Pack square = dot(d, d), distance = sqrt(square);
-    const V n = d * (Pack(1) / distance);
-    const Pack reach = ra + rb, overlap = reach - distance, half = Pack(0.5) * overlap;
-    const V wa = load(s.spin_a, i), wb = load(s.spin_b, i);
-    const V lever = wa * (ra - half) + wb * (rb - half);
-    store(c.overlap, i, overlap);
-    store(c.normal, i, n);
-    store(c.velocity, i, load(c.velocity, i) + cross(lever, n));
-    store(c.turn, i, Pack(0.5) * dot(wa + wb, n));
-    store(c.radius_eff, i, ra * rb / (ra + rb));
-    turned = turned || dot(load(c.history_normal, i), n) < Pack(0);
-    bits += select(square - reach * reach < Pack(0) && overlap > Pack(0), load(bit_of_lane.value, i), Pack(0));
+    const SphereMeeting<Pack> m = meeting_of(load(s.offset, i), load(s.radius_a, i), load(s.radius_b, i),
+                                             load(c.velocity, i), load(s.spin_a, i), load(s.spin_b, i));
+    store(c.overlap, i, m.overlap);
+    store(c.normal, i, m.normal);
+    store(c.velocity, i, m.velocity);
+    store(c.turn, i, m.turn);
+    store(c.radius_eff, i, m.radius_eff);
+    const Pack bits = load(bit_of_lane.value, i);
+    touching += select(m.touch, bits, Pack(0));
+    turned += select(dot(load(c.history_normal, i), m.normal) < Pack(0), bits, Pack(0));
   }
-  return {static_cast<std::uint32_t>(reduce(bits)), any_of(turned)};
+  return {static_cast<std::uint32_t>(reduce(touching)), static_cast<std::uint32_t>(reduce(turned))};
 }
 
 void sphere_torques(const SphereChunk& s, LawChunk& c, std::size_t count) {
@@ -65,6 +60,8 @@ const KernelSet& kernel_set() {
   static const KernelSet set{KERNEL_NAME(KERNEL_SET),
                              spheres,
                              sphere_torques,
+                             sphere_contacts_hertz,
+                             sphere_contacts_linear,
                              law_kernel<Hertz, false>,
                              law_kernel<Linear, false>,
                              law_kernel<Hertz, true>,
@@ -78,7 +75,6 @@ const KernelSet& kernel_set() {
                              store_history,
                              store_slots,
                              store_double,
-                             sum_slots,
                              {sphere_pairs, ellipsoid_proofs, ellipsoid_search},
                              {lowest, lowest_two, reaching}};
   return set;

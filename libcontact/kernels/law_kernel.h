@@ -74,30 +74,36 @@ inline V patch_couple(LawChunk& c, std::size_t i, const V& n, const NormalForce<
   return rolling - n * moment;
 }
 
-// What the law sees of lanes i …; `fresh`: those whose contact begins in this step.
-template <class Mask>
-Kinematics<Pack> kinematics(const LawChunk& c, std::size_t i, const Pack& depth, const Mask& fresh, const Pack& dt,
-                            bool clip) {
-  const Pack zero(0), one(1);
-  Kinematics<Pack> k;
-  k.normal = load(c.normal, i);
-  const V v = load(c.velocity, i);
+// What the law sees of a contact, or of lanes of them; `fresh`: of one that begins in this step.
+template <class T, class Mask>
+Kinematics<T> kinematics(const shapes::Vec3<T>& normal, const shapes::Vec3<T>& velocity, const T& depth,
+                         const T& depth_before, const Mask& fresh, const T& dt, bool clip) {
+  const T zero(0), one(1);
+  Kinematics<T> k;
+  k.normal = normal;
   k.overlap = depth;
-  k.overlap_before = load(c.history_overlap, i);
-  k.closing_speed = dot(v, k.normal);
-  k.slip = v - k.normal * k.closing_speed;
-  k.radius_eff = load(c.radius_eff, i);
-  k.mass_eff = load(c.mass_eff, i);
+  k.overlap_before = depth_before;
+  k.closing_speed = dot(velocity, k.normal);
+  k.slip = velocity - k.normal * k.closing_speed;
   k.dt = dt;
   // First contact: only the part of the step since δ = 0 counts.
-  const Pack travelled = k.closing_speed * dt;
-  const Pack part = select(travelled > depth, depth / select(travelled > depth, travelled, one), one);
+  const T travelled = k.closing_speed * dt;
+  const T part = select(travelled > depth, depth / select(travelled > depth, travelled, one), one);
   k.dt_contact = select(fresh, part * dt, dt);
   k.onset = select(fresh && travelled > zero, part, zero);
   if (!clip) {  // a dashpot that pulls does so as long as there is overlap, no longer
     const auto ends = -travelled > depth;
     k.onset = select(ends, depth / select(ends, -travelled, one), k.onset);
   }
+  return k;
+}
+template <class Mask>
+Kinematics<Pack> kinematics(const LawChunk& c, std::size_t i, const Pack& depth, const Mask& fresh, const Pack& dt,
+                            bool clip) {
+  Kinematics<Pack> k =
+      kinematics(load(c.normal, i), load(c.velocity, i), depth, load(c.history_overlap, i), fresh, dt, clip);
+  k.radius_eff = load(c.radius_eff, i);
+  k.mass_eff = load(c.mass_eff, i);
   return k;
 }
 

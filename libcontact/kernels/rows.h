@@ -8,6 +8,9 @@
 namespace contact::kernels {
 inline namespace KERNEL_SET {
 
+// Rows are passed by value between functions that are always in line: no call, no convention of calls.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
 using Row = double __attribute__((vector_size(32), may_alias));
 
 // Row `row` of record `index`; records are aligned to rows.
@@ -18,28 +21,116 @@ using Row = double __attribute__((vector_size(32), may_alias));
 [[gnu::always_inline]] inline Row& row_of(void* base, std::size_t size, std::uint32_t index, std::size_t row) {
   return *reinterpret_cast<Row*>(static_cast<char*>(base) + index * size + row * sizeof(Row));
 }
-struct Rows {  // four rows, one per record; after `turn` four lanes
-  Row a, b, c, d;
 
-  [[gnu::always_inline]] static Rows load(const void* base, std::size_t size, const std::uint32_t* index,
-                                          std::size_t row) {
-    return {row_of(base, size, index[0], row), row_of(base, size, index[1], row), row_of(base, size, index[2], row),
-            row_of(base, size, index[3], row)};
-  }
-  [[gnu::always_inline]] Rows turned() const {
-    const Row p = __builtin_shufflevector(a, b, 0, 4, 2, 6), q = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const Row r = __builtin_shufflevector(c, d, 0, 4, 2, 6), s = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    return {__builtin_shufflevector(p, r, 0, 1, 4, 5), __builtin_shufflevector(q, s, 0, 1, 4, 5),
-            __builtin_shufflevector(p, r, 2, 3, 6, 7), __builtin_shufflevector(q, s, 2, 3, 6, 7)};
-  }
-  [[gnu::always_inline]] void store(void* base, std::size_t size, const std::uint32_t* index, std::size_t row,
-                                    std::size_t count) const {
-    row_of(base, size, index[0], row) = a;
-    if (count > 1) row_of(base, size, index[1], row) = b;
-    if (count > 2) row_of(base, size, index[2], row) = c;
-    if (count > 3) row_of(base, size, index[3], row) = d;
+template <int N>
+struct LanesOf;
+template <>
+struct LanesOf<4> {
+  using Lanes = Row;
+  using Bits = decltype(Row{} < Row{});  // all of a lane or none
+};
+template <>
+struct LanesOf<8> {
+  using Lanes = double __attribute__((vector_size(64), may_alias));
+  using Bits = decltype(Lanes{} < Lanes{});
+};
+
+// N = 4 or 8 lanes, one per record, with what templates over a scalar ask of a number.
+template <int N>
+struct Wide {
+  using Lanes = typename LanesOf<N>::Lanes;
+  using Bits = typename LanesOf<N>::Bits;
+  struct Mask {
+    Bits bits;
+    friend Mask operator&&(const Mask& a, const Mask& b) { return {a.bits & b.bits}; }
+    friend Mask operator||(const Mask& a, const Mask& b) { return {a.bits | b.bits}; }
+    friend Mask operator!(const Mask& a) { return {~a.bits}; }
+    friend bool any_of(const Mask& a) {
+      auto any = a.bits[0];
+      for (int i = 1; i < N; ++i) any |= a.bits[i];
+      return any != 0;
+    }
+  };
+  Lanes v;
+  Wide() : v{} {}
+  Wide(const Lanes& lanes) : v(lanes) {}
+  explicit Wide(double x) : v(Lanes{} + x) {}
+
+  friend Wide operator+(const Wide& a, const Wide& b) { return a.v + b.v; }
+  friend Wide operator-(const Wide& a, const Wide& b) { return a.v - b.v; }
+  friend Wide operator*(const Wide& a, const Wide& b) { return a.v * b.v; }
+  friend Wide operator/(const Wide& a, const Wide& b) { return a.v / b.v; }
+  friend Wide operator-(const Wide& a) { return -a.v; }
+  friend Mask operator<(const Wide& a, const Wide& b) { return {a.v < b.v}; }
+  friend Mask operator>(const Wide& a, const Wide& b) { return {a.v > b.v}; }
+  friend Mask operator==(const Wide& a, const Wide& b) { return {a.v == b.v}; }
+  friend Wide select(const Mask& mask, const Wide& a, const Wide& b) { return Lanes(mask.bits ? a.v : b.v); }
+  friend Wide sqrt(const Wide& a) {
+    Wide r;
+    for (int i = 0; i < N; ++i) r.v[i] = __builtin_sqrt(a.v[i]);
+    return r;
   }
 };
+using Four = Wide<4>;
+
+// Of N records the same row each: four vectors, the first of which has that of record 0 and, of eight, that of record 4
+// behind it, and so on; after `turned` the first number of all records, the second, …
+template <int N>
+struct RowsOf {
+  using Lanes = typename LanesOf<N>::Lanes;
+  Lanes a, b, c, d;
+
+  [[gnu::always_inline]] static RowsOf load(const void* base, std::size_t size, const std::uint32_t* index,
+                                            std::size_t row) {
+    const auto at = [&](std::size_t i) -> const Row& { return row_of(base, size, index[i], row); };
+    if constexpr (N == 4)
+      return {at(0), at(1), at(2), at(3)};
+    else
+      return {join(at(0), at(4)), join(at(1), at(5)), join(at(2), at(6)), join(at(3), at(7))};
+  }
+  [[gnu::always_inline]] RowsOf turned() const {
+    if constexpr (N == 4) {
+      const Row p = __builtin_shufflevector(a, b, 0, 4, 2, 6), q = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+      const Row r = __builtin_shufflevector(c, d, 0, 4, 2, 6), s = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+      return {__builtin_shufflevector(p, r, 0, 1, 4, 5), __builtin_shufflevector(q, s, 0, 1, 4, 5),
+              __builtin_shufflevector(p, r, 2, 3, 6, 7), __builtin_shufflevector(q, s, 2, 3, 6, 7)};
+    } else {
+      const Lanes p = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14),
+                  q = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15),
+                  r = __builtin_shufflevector(c, d, 0, 8, 2, 10, 4, 12, 6, 14),
+                  s = __builtin_shufflevector(c, d, 1, 9, 3, 11, 5, 13, 7, 15);
+      return {__builtin_shufflevector(p, r, 0, 1, 8, 9, 4, 5, 12, 13),
+              __builtin_shufflevector(q, s, 0, 1, 8, 9, 4, 5, 12, 13),
+              __builtin_shufflevector(p, r, 2, 3, 10, 11, 6, 7, 14, 15),
+              __builtin_shufflevector(q, s, 2, 3, 10, 11, 6, 7, 14, 15)};
+    }
+  }
+  // The first `count` of the records.
+  [[gnu::always_inline]] void store(void* base, std::size_t size, const std::uint32_t* index, std::size_t row,
+                                    std::size_t count) const {
+    const Lanes* const from[] = {&a, &b, &c, &d};
+    const auto put = [&](std::size_t i) {
+      const Lanes& lanes = *from[i % 4];
+      Row& to = row_of(base, size, index[i], row);
+      if constexpr (N == 4)
+        to = lanes;
+      else if (i < 4)
+        to = __builtin_shufflevector(lanes, lanes, 0, 1, 2, 3);
+      else
+        to = __builtin_shufflevector(lanes, lanes, 4, 5, 6, 7);
+    };
+    if (count >= N)
+      for (std::size_t i = 0; i < N; ++i) put(i);
+    else
+      for (std::size_t i = 0; i < count; ++i) put(i);
+  }
+
+ private:
+  [[gnu::always_inline]] static Lanes join(const Row& low, const Row& high) {
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+  }
+};
+using Rows = RowsOf<4>;
 
 }  // namespace KERNEL_SET
 }  // namespace contact::kernels

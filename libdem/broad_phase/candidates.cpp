@@ -10,6 +10,7 @@
 #include "libdem/broad_phase/wall_candidates.h"
 #include "libdem/detection.h"
 #include "libdem/law_map.h"
+#include "libdem/sweep.h"
 
 namespace dem {
 namespace {
@@ -113,7 +114,7 @@ void index_by_particle(World& world) {
   c.active_count.assign(world.particles.count(), 0);
   for (std::size_t i = 0; i < world.particles.count(); ++i)
     for (std::uint32_t e = c.incidence_start[i]; e < c.incidence_start[i + 1]; ++e)
-      if (c.touching[c.incidence[e] >> 1] != 0)
+      if (c.counts(c.incidence[e] >> 1))
         c.active[c.incidence_start[i] + c.active_count[i]++] = c.active_entry(c.incidence[e]);
   std::sort(c.wall_records.begin(), c.wall_records.end(),
             [&](std::uint32_t x, std::uint32_t y) { return c.key[x] < c.key[y]; });
@@ -252,6 +253,7 @@ void seat_records(World& world, const std::vector<std::uint32_t>& from, const st
   std::uint32_t seats = 0;
   for (std::uint32_t& seat : c.seat)
     if (seat != none) seat = seats++;
+  c.round_seats = seats;
   c.double_seats = world.law.rolls ? none : seats;
   for (Bin& bin : c.bins) {
     if (!bin.round()) continue;
@@ -361,6 +363,7 @@ void rebuild_candidates(World& world, int threads) {
   carry(c.centre, from, all_spheres ? 0 : 1);  // regions are known again by theirs
   carry(c.cache, from, all_spheres ? 0 : 1);
   index_by_particle(world);
+  plan_sweep(world);
   c.reference.resize(p.count());
   for (std::size_t i = 0; i < p.count(); ++i) c.reference[i] = p.motion[i].position;
   c.reference_orientation = has_compounds(world) ? p.orientation : std::vector<Quatd>{};

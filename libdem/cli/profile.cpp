@@ -18,8 +18,7 @@ void phases(const PhaseTimes& t) {
   fmt::print("\n{:<24} {:>10} {:>8} {:>22}\n", "phase", "seconds", "% loop", "ns per particle-step");
   line("candidates", t.broad);
   line("contacts and laws", t.query);
-  line("sums", t.sum);
-  line("motion", t.integrate);
+  line("sums and motion", t.integrate);
   line("walls, rain, outlets", t.walls);
   line("loop", t.loop);
   line("output", t.output);

@@ -144,7 +144,7 @@ void write_summary(const std::string& path, const World& world, const std::strin
   summary["threads"] = threads;
   summary["particles"] = world.particles.count();
   summary["particle_steps_per_s"] = t.loop > 0 ? static_cast<double>(t.particle_steps) / t.loop : 0.0;
-  summary["seconds"] = {{"broad_phase", t.broad}, {"query", t.query},   {"sum", t.sum},  {"integrate", t.integrate},
+  summary["seconds"] = {{"broad_phase", t.broad}, {"query", t.query},   {"integrate", t.integrate},
                         {"walls", t.walls},       {"output", t.output}, {"loop", t.loop}};
   summary["contacts_per_particle"] = contacts_per_particle(world);
   summary["counters"] = {{"rebuilds", c.rebuilds},

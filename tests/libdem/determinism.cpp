@@ -77,6 +77,34 @@ TEST(Determinism, ARestartDoesNotMatter) {
   }
 }
 
+// A step that another follows at once ends with the drift of that one.
+World run_on(const Scene& scene, std::uint64_t to, int threads) {
+  World w = build_world(scene);
+  while (w.step < to) advance(w, threads, w.step + 1 < to && w.step % 37 != 0);
+  return w;
+}
+TEST(Determinism, StepsThatAreDoneTogetherDoNotMatter) {
+  for (const int threads : {1, 2, 3}) {
+    const World w = run_on(reference().scene, steps, threads);
+    EXPECT_FALSE(w.ahead);
+    EXPECT_EQ(state_hash(w), reference().hash) << threads << " threads";
+  }
+}
+// Enough of them that threads share the chunks of their pairs, and that some have met since the list was made.
+TEST(Determinism, ASweepThroughSpheresDoesNotMatter) {
+  Scene s = scenes::every_shape(1500);
+  s.fills[0].items.resize(1);
+  s.fills[0].upper.z = 0.6;
+  s.run.skin = 0.002;
+  const World expected = scenes::run(s, steps);
+  EXPECT_GT(expected.contacts.sweep.chunks, 6u);
+  EXPECT_GT(expected.counters.rebuilds, 3u);
+  for (const int threads : {1, 2, 3})
+    EXPECT_EQ(state_hash(run_on(s, steps, threads)), state_hash(expected)) << threads << " threads";
+  s.run.rebuild_every = 1;
+  EXPECT_EQ(state_hash(run_on(s, steps, 2)), state_hash(expected));
+}
+
 TEST(Determinism, LookingOnDoesNotMatter) {
   World w = build_world(reference().scene);
   double seen = 0;

@@ -38,7 +38,6 @@ void place(World& w, std::size_t i, const Vec3d& position, const Quatd& orientat
 void answer(World& w) {
   rebuild_candidates(w, 1);
   compute_forces(w, 1, 0);
-  sum_forces(w, 1);
 }
 
 // A body that goes round a closed path: of time u in [0, 1), with its rates.

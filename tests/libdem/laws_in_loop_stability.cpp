@@ -72,7 +72,6 @@ World at_rest(const LawSpec& law, const MaterialSpec& m, const Resting& body) {
   const bool held = law_names(law).tangential != "none";
   if (held && std::abs(arm.x) > 1e-9 * std::abs(arm.z)) w.contacts.history[0].force_t = {-whole.x, -whole.y, 0};
   compute_forces(w, 1, 0.0);
-  sum_forces(w, 1);
   w.scene.gravity = (held ? whole : Vec3d{0, 0, n}) * (-1 / w.particles.mass[0]);
   return w;
 }

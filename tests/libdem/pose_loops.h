@@ -154,7 +154,6 @@ class Arena {
     std::fill(world_.contacts.apart_until.begin(), world_.contacts.apart_until.end(), 0.0);
     world_.contacts.way_allowed = -1;
     compute_forces(world_, 1, dt);
-    sum_forces(world_, 1);
   }
 
  private:

@@ -1,0 +1,28 @@
+# Kernel sources: compiled once per instruction set into the object libraries <library>_kernels_<set>, all of which become
+# part of <library>; the set is chosen at run time (libcontact/kernels/select.cpp).
+set(kernel_flags_sse2 -msse2)
+set(kernel_flags_avx2 -mavx2)
+set(kernel_flags_avx512 -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512)
+
+function(add_kernels library target)
+  foreach(set sse2 avx2 avx512)
+    if(NOT CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT set STREQUAL "sse2")
+      continue()
+    endif()
+    set(objects ${library}_kernels_${set})
+    add_library(${objects} OBJECT ${ARGN})
+    target_compile_definitions(${objects} PRIVATE KERNEL_SET=${set})
+    if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+      target_compile_options(${objects} PRIVATE ${kernel_flags_${set}})
+    endif()
+    # g++ 12's own AVX-512 header trips -Wuninitialized (its _mm512_undefined idiom); our code is checked by the other sets.
+    if(set STREQUAL "avx512")
+      target_compile_options(${objects} PRIVATE -Wno-uninitialized -Wno-maybe-uninitialized)
+    endif()
+    target_compile_options(${objects} PRIVATE $<$<CONFIG:Release>:-O3>)
+    set_target_properties(${objects} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+    target_include_directories(${objects} PRIVATE ${PROJECT_SOURCE_DIR})
+    target_link_libraries(${objects} PRIVATE project_arithmetic project_warnings)
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)
+  endforeach()
+endfunction()
