@@ -112,6 +112,7 @@ class ContactStep {
       const auto self = static_cast<std::size_t>(omp_get_thread_num()),
                  count = static_cast<std::size_t>(omp_get_num_threads());
       const ChunkRange range(plan.chunks, self, count);
+      if (!bodies.keeps() && world_.contacts.words == 0 && bin != nullptr) s.ring = ring_of(world_, self, count);
       auto next = std::lower_bound(plan.order.begin(), plan.order.end(), range.first,
                                    [&](std::uint32_t block, std::size_t chunk) { return plan.last[block] < chunk; });
       for (std::size_t first = range.first; first < range.last; first += chunks_at_once) {
@@ -119,7 +120,7 @@ class ContactStep {
         answer({bin, first, last}, s);
         const auto begin = Clock::now();
         for (; next != plan.order.end() && plan.last[*next] < last; ++next)
-          if (range.holds(plan, *next)) bodies.block(*next, mine);
+          if (range.holds(plan, *next)) bodies.block(*next, mine, s.ring);
         seconds += seconds_since(begin);
       }
 #pragma omp barrier
@@ -173,7 +174,9 @@ class ContactStep {
   // This thread's.
   Scratch& scratch() const {
     static thread_local Scratch s;
-    std::fill(std::begin(s.pair), std::end(s.pair), ~std::uint32_t(0));
+    std::fill(std::begin(s.pair), std::end(s.pair), none);
+    s.pair_everywhere = none;
+    s.ring = {};
     s.tally.assign(world_.contacts.bins.size() + 1, {});
     return s;
   }

@@ -50,8 +50,10 @@ struct Met {
   std::vector<std::uint32_t> record, a, b, pair, seat;
   std::vector<std::uint32_t> touching;  // per chunk: bit i: its pair i touches
   std::size_t count = 0;
+  std::uint32_t pair_everywhere = none;  // of materials, where it is one only
 
   void add(std::uint32_t k, std::uint32_t body_a, std::uint32_t body_b, std::uint32_t materials, std::uint32_t at) {
+    pair_everywhere = count == 0 || pair_everywhere == materials ? materials : none;
     if (count == record.size()) {
       record.resize(count + contact::kernels::chunk_size, k);
       a.resize(record.size(), body_a);

@@ -9,6 +9,7 @@
 #include "libcontact/kernels/chunk.h"
 #include "libcontact/overlap_depth.h"
 #include "libcontact/overlap_volume.h"
+#include "libdem/integrators/bodies.h"
 #include "libdem/law_map.h"
 #include "libdem/world.h"
 
@@ -47,8 +48,10 @@ struct Scratch {
   contact::kernels::Lane clearance, overlap_before;
   std::uint32_t entry[chunk_size] = {};
   std::uint32_t pair[chunk_size];  // the pair of materials that each lane of `law` holds
+  std::uint32_t pair_everywhere = none;  // that all of them hold, where that is known
   std::uint32_t record[chunk_size] = {}, seat[chunk_size] = {}, index_a[chunk_size] = {}, index_b[chunk_size] = {};
   std::vector<Tally> tally;  // by bin; last: the groups
+  SlotRing ring;             // of round pairs
   contact::Body a[chunk_size], b[chunk_size];
   Vec3d offset[chunk_size];
   contact::Cache cache[chunk_size];
@@ -76,6 +79,7 @@ class ForcePass {
       b.size = {1, 1, 1};
       b.rotation = shapes::rotation_matrix(w.orientation);
       walls_.push_back({b, b.rotation.column(w.kind == shapes::Kind::line ? 1 : 2)});
+      planes_.push_back({w.position, 0, w.velocity, 0, w.spin, 0, walls_.back().normal, 0});
     }
   }
 
@@ -119,6 +123,7 @@ class ForcePass {
     contact::each_parameter(s.law.pair, world_.pairs[pair],
                             [i](contact::kernels::Lane& lane, double value) { lane[i] = value; });
     s.pair[i] = pair;
+    s.pair_everywhere = none;
   }
 
   // The record numbers of a chunk's lanes, padded for the kernels that take four at a time.
@@ -349,6 +354,7 @@ class ForcePass {
   LawMap map_ = LawMap::automatic;             // where records keep a word of it
   const contact::Lattice* lattice_ = nullptr;  // null: bodies have no images
   std::vector<WallFrame> walls_;
+  std::vector<contact::kernels::PlaneRows> planes_;  // of all walls; that of a mesh is not used
 };
 
 }  // namespace dem

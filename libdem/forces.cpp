@@ -29,7 +29,10 @@ class PairPass : public ForcePass {
       for (; first < last; ++first) t += met_pairs(bin.met, first, s);
       return t;
     }
-    for (; first < last; first += chunk_size) t += sphere_planes(bin, first, std::min(chunk_size, last - first), s);
+    for (; first < last; first += chunk_size) {
+      const std::size_t n = std::min(chunk_size, last - first);
+      t += staged_ ? planes_in_stages(bin, first, n, s) : sphere_planes(bin, first, n, s);
+    }
     return t;
   }
 
@@ -39,27 +42,26 @@ class PairPass : public ForcePass {
   Tally met_pairs(Met& met, std::size_t chunk, Scratch& s) const {
     const std::size_t first = chunk * chunk_size, n = std::min(chunk_size, met.count - first);
     const std::uint32_t *record = &met.record[first], *a = &met.a[first], *b = &met.b[first], *seat = &met.seat[first];
-    for (std::size_t i = 0; i < n; ++i) load_pair(i, met.pair[first + i], s);
-    const std::uint32_t all = n < chunk_size ? (std::uint32_t(1) << n) - 1 : ~std::uint32_t(0);
+    if (met.pair_everywhere == none || s.pair_everywhere != met.pair_everywhere) {
+      for (std::size_t i = 0; i < n; ++i) load_pair(i, met.pair[first + i], s);
+      s.pair_everywhere = n == chunk_size ? met.pair_everywhere : none;
+    }
+    const std::uint32_t all = lanes_below(n);
     const std::uint32_t was = met.touching[chunk];
     contact::kernels::SphereMeetings now;
     if (staged_) {
       now = met_in_stages(record, a, b, seat, n, was, s);
+      each_bit(all & ~now.touching & ~was, [&](std::size_t i) { silence(record[i]); });
     } else {
+      const std::uint32_t slot = seat[0] + c_.double_seats, place = s.ring.place(slot);  // those of a chunk follow it
       const contact::kernels::SphereContacts contacts{
           p_.motion.data(),   a, b, seat, n, lattice_, &s.law.pair, dt_, &world_.law_options, c_.history.data(),
-          c_.slot.data() + c_.double_seats, &s.overlap_before};
+          c_.slot.data() + c_.double_seats + place - slot, &s.overlap_before};
       now = world_.law.hertzian ? set_.sphere_contacts_hertz(contacts) : set_.sphere_contacts_linear(contacts);
     }
     const std::uint32_t touching = now.touching & all;
     each_bit(touching & now.turned, [&](std::size_t i) { s.through.push_back(record[i]); });
-    each_bit(all & ~touching & ~was, [&](std::size_t i) { silence(record[i]); });
-    each_bit(touching ^ was, [&](std::size_t i) {
-      if ((touching >> i & 1) != 0)
-        begin(record[i], s);
-      else
-        end(record[i], s.overlap_before[i], s);
-    });
+    note_changes(record, touching, was, s);
     met.touching[chunk] = touching;
     Tally t;
     t.candidates = n;
@@ -115,12 +117,50 @@ class PairPass : public ForcePass {
     if (by_volume_) apply_round_volumes(n, s);
   }
 
+  static std::uint32_t lanes_below(std::size_t n) {
+    return n < chunk_size ? (std::uint32_t(1) << n) - 1 : ~std::uint32_t(0);
+  }
+  // Of a chunk's records those that touch now and those that did.
+  void note_changes(const std::uint32_t* record, std::uint32_t touching, std::uint32_t was, Scratch& s) const {
+    each_bit(touching ^ was, [&](std::size_t i) {
+      if ((touching >> i & 1) != 0)
+        begin(record[i], s);
+      else
+        end(record[i], s.overlap_before[i], s);
+    });
+  }
   template <class Visit>
   static void each_bit(std::uint32_t bits, Visit visit) {
     for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
   }
 
   Tally sphere_planes(const Bin& bin, std::size_t first, std::size_t count, Scratch& s) const {
+    const std::uint32_t* records = &bin.records[first];
+    std::uint32_t was = 0;
+    for (std::size_t i = 0; i < (count + 7) / 8 * 8; ++i) {
+      const std::size_t from = std::min(i, count - 1);
+      s.index_a[i] = bin.a_index[first + from];
+      s.index_b[i] = bin.b_index[first + from];
+      s.seat[i] = c_.seat[records[from]];
+      if (i >= count) continue;
+      load_pair(i, bin.pair[first + i], s);
+      was |= static_cast<std::uint32_t>(c_.touching[records[i]] != 0 ? 1 : 0) << i;
+    }
+    const contact::kernels::PlaneContacts contacts{
+        p_.motion.data(), planes_.data(),       s.index_a,           s.index_b,       s.seat,           count,
+        &s.law.pair,      dt_,                  &world_.law_options, c_.history.data(), c_.slot.data(), &s.overlap_before};
+    const contact::kernels::SphereMeetings now =
+        world_.law.hertzian ? set_.plane_contacts_hertz(contacts) : set_.plane_contacts_linear(contacts);
+    const std::uint32_t touching = now.touching & lanes_below(count);
+    note_changes(records, touching, was, s);
+    Tally t;
+    t.candidates = count;
+    t.touching = static_cast<std::size_t>(std::popcount(touching));
+    t.by_spheres = count - t.touching;
+    return t;
+  }
+
+  Tally planes_in_stages(const Bin& bin, std::size_t first, std::size_t count, Scratch& s) const {
     const std::uint32_t* records = &bin.records[first];
     Tally t;
     std::size_t n = 0;

@@ -1,6 +1,7 @@
 #include "libdem/sweep.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 
 namespace dem {
@@ -19,7 +20,7 @@ void plan_sweep(World& world) {
   s.bin = none;
   s.chunks = 0;
   for (std::size_t i = 0; i < c.bins.size(); ++i) {
-    const std::size_t whole = c.bins[i].met.count / chunk_size;
+    const std::size_t whole = c.bins[i].round() ? c.bins[i].met.count / chunk_size : 0;
     if (whole <= s.chunks) continue;
     s.bin = static_cast<std::uint32_t>(i);
     s.chunks = whole;
@@ -35,10 +36,35 @@ void plan_sweep(World& world) {
         s.last[block] = chunk;
       }
   }
+  // Blocks whose last chunks are near go in order of storage, as memory streams best.
+  std::uint32_t widest = 0;
+  for (std::size_t b = 0; b < blocks; ++b)
+    if (s.last[b] != none) widest = std::max(widest, s.last[b] - s.first[b]);
+  const std::uint32_t run = std::bit_ceil(std::max<std::uint32_t>(widest / 8, 8));
+  for (std::uint32_t& last : s.last)
+    if (last != none) last = std::min(last | (run - 1), static_cast<std::uint32_t>(s.chunks) - 1);
   s.order.resize(blocks);
   std::iota(s.order.begin(), s.order.end(), 0U);
   std::stable_sort(s.order.begin(), s.order.end(),
                    [&](std::uint32_t x, std::uint32_t y) { return s.last[x] < s.last[y]; });
+}
+
+// Blocks that two threads share have all their chunks within the widest span of a block of the border between their ranges: those keep
+// places of their own.
+SlotRing ring_of(const World& world, std::size_t thread, std::size_t threads) {
+  const Contacts& c = world.contacts;
+  const Sweep& s = c.sweep;
+  std::size_t widest = 0;
+  for (std::size_t b = 0; b < s.last.size(); ++b)
+    if (s.last[b] != none) widest = std::max<std::size_t>(widest, s.last[b] - s.first[b]);
+  ChunkRange zone(s.chunks, thread, threads);
+  if (thread > 0) zone.first += widest;
+  if (thread + 1 < threads) zone.last -= std::min(zone.last, widest);
+  const std::size_t ring = std::bit_ceil(widest + chunks_at_once + 1);
+  if (zone.first + ring >= zone.last) return {};
+  const std::size_t slot = c.first_slot(c.bins[s.bin].met.seat[zone.first * chunk_size]);
+  return {static_cast<std::uint32_t>(slot), static_cast<std::uint32_t>((zone.last - zone.first) * chunk_size),
+          static_cast<std::uint32_t>(ring * chunk_size - 1)};
 }
 
 BodyPass::BodyPass(World& world, const BodyStep& step)
@@ -54,7 +80,7 @@ BodyPass::BodyPass(World& world, const BodyStep& step)
   step_.deforms = world.cell.deforms;
   if (step.sum)
     lists_ = {c.slot.data(), c.active.data(), c.incidence_start.data(), c.active_count.data(),
-              c.sweep.chunks == 0 && c.slot.size() * sizeof(contact::Slot) > near_bytes};
+              c.slot.size() * sizeof(contact::Slot) > near_bytes};
 }
 
 BodyTally move_bodies(World& world, int threads, const BodyStep& step) {

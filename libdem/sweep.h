@@ -29,14 +29,21 @@ inline bool in_one_range(const Sweep& s, std::size_t block, std::size_t threads)
   return ChunkRange(s.chunks, ((s.last[block] + std::size_t(1)) * threads - 1) / s.chunks, threads).holds(s, block);
 }
 
+// Of a step whose contacts nobody looks at: a thread's slots in few places, which stay near; else there is none.
+SlotRing ring_of(const World& world, std::size_t thread, std::size_t threads);
+
 // The bodies' part of a step.
 class BodyPass {
  public:
   BodyPass(World& world, const BodyStep& step);
-  void block(std::size_t number, BodyTally& tally) const {
+  // `ring` as ring_of(), of the thread that has answered all pairs of the block.
+  void block(std::size_t number, BodyTally& tally, const SlotRing& ring = {}) const {
     const std::size_t first = number * bodies_at_once;
-    kernel_(arrays_, lists_, step_, first, std::min(count_, first + bodies_at_once), tally);
+    SumLists lists = lists_;
+    lists.ring = ring;
+    kernel_(arrays_, lists, step_, first, std::min(count_, first + bodies_at_once), tally);
   }
+  bool keeps() const { return step_.keep; }
   std::size_t blocks() const { return (count_ + bodies_at_once - 1) / bodies_at_once; }
 
  private:

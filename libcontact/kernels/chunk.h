@@ -77,6 +77,30 @@ struct SphereContacts {
   Lane* overlap_before;  // out: of the histories, m
 };
 using SphereContactKernel = SphereMeetings (*)(const SphereContacts& contacts);
+// The same for spheres with planes, two slots a pair. A plane: its origin and motion, the outward unit normal.
+struct alignas(32) PlaneRows {
+  shapes::Vec3d position{};  // m
+  double none_position{};
+  shapes::Vec3d velocity{};  // m/s
+  double none_velocity{};
+  shapes::Vec3d spin{};  // rad/s
+  double none_spin{};
+  shapes::Vec3d normal{};
+  double none_normal{};
+};
+struct PlaneContacts {
+  const Motion* motion;
+  const PlaneRows* plane;
+  const Index *a, *b, *seat;  // filled up to a multiple of eight
+  std::size_t count;
+  const PairOf<Lane>* pair;
+  double dt;  // s
+  const LawOptions* options;
+  History* history;
+  Slot* slot;  // 2 seat and 2 seat + 1
+  Lane* overlap_before;
+};
+using PlaneContactKernel = SphereMeetings (*)(const PlaneContacts& contacts);
 using SphereTorqueKernel = void (*)(const SphereChunk& in, LawChunk& chunk, std::size_t count);
 
 // Index lists hold a multiple of four entries at least (padded with any valid index); `count` says how many are meant.
@@ -100,6 +124,7 @@ struct KernelSet {
   SphereKernel spheres;                                 // before the law
   SphereTorqueKernel sphere_torques;                    // after it
   SphereContactKernel sphere_contacts_hertz, sphere_contacts_linear;
+  PlaneContactKernel plane_contacts_hertz, plane_contacts_linear;
   LawKernel hertz_mindlin, spring_dashpot;              // point contacts
   LawKernel hertz_mindlin_patch, spring_dashpot_patch;  // contacts over a patch
   const StageSet* stages;

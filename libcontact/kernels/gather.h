@@ -20,6 +20,8 @@ void store_double(const LawChunk& c, const Index* record, std::size_t count, Slo
 
 SphereMeetings sphere_contacts_hertz(const SphereContacts& c);
 SphereMeetings sphere_contacts_linear(const SphereContacts& c);
+SphereMeetings plane_contacts_hertz(const PlaneContacts& c);
+SphereMeetings plane_contacts_linear(const PlaneContacts& c);
 
 bool sphere_pairs(const SphereRow* spheres, const Index* a, const Index* b, std::size_t count,
                   const SphereAnswers& out);

@@ -62,6 +62,8 @@ const KernelSet& kernel_set() {
                              sphere_torques,
                              sphere_contacts_hertz,
                              sphere_contacts_linear,
+                             plane_contacts_hertz,
+                             plane_contacts_linear,
                              law_kernel<Hertz, false>,
                              law_kernel<Linear, false>,
                              law_kernel<Hertz, true>,

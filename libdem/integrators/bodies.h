@@ -33,12 +33,23 @@ struct BodyArrays {
   double* travel;  // null: not kept; as Contacts::travel
 };
 
+// Slots that are written, read once, and then left: `size` of them from `first` on stand in mask + 1 places, those that
+// come later over those that have been read (sweep.h).
+struct SlotRing {
+  std::uint32_t first = 0, size = 0, mask = ~std::uint32_t(0);
+  [[gnu::always_inline]] std::uint32_t place(std::uint32_t slot) const {
+    const std::uint32_t at = slot - first;
+    return at < size ? first + (at & mask) : slot;
+  }
+};
+
 // What acts on bodies: each the sum of its slots in the order of its list.
 struct SumLists {
   const contact::Slot* slot;
   const std::uint32_t* active;           // entry = slot · 2 + (1 when the body is b)
   const std::uint32_t *start, *count;    // of the list of each body
   bool far = false;                      // slots are too many for the caches near the core: fetch them ahead
+  SlotRing ring{};
 };
 
 struct BodyStep {

@@ -52,16 +52,18 @@ IN_LINE V lanes(const Rows& rows) {
 IN_LINE Rows rows(const V& v) { return Rows{v.x.v, v.y.v, v.z.v, v.z.v}.turned(); }
 IN_LINE V load(const Vec3d* v) { return lanes(load_rows(v)); }
 
-// The slots of one body.
+// The slots of one body. Whether it is a or b of a pair is as good as random: no branch on it.
 IN_LINE void add_slots(const SumLists& lists, std::size_t i, Row& force, Row& torque) {
+  static constexpr double sign[] = {1, -1};
+  constexpr std::ptrdiff_t to_lever_b = 4;  // doubles after lever_a
   const std::uint32_t* list = lists.active + lists.start[i];
   Row f{}, t{};
   for (std::uint32_t e = 0; e < lists.count[i]; ++e) {
     const std::uint32_t is_b = list[e] & 1;
-    const Slot& slot = lists.slot[list[e] >> 1];
-    const Row &on_a = contact::kernels::row_of(&slot, 0, 0, 0), &couple = contact::kernels::row_of(&slot, 0, 0, 1);
-    f += is_b != 0 ? -on_a : on_a;
-    t += couple * (is_b != 0 ? couple[3] : on_a[3]);
+    const Slot& slot = lists.slot[lists.ring.place(list[e] >> 1)];
+    const double lever = *(&slot.lever_a + to_lever_b * static_cast<std::ptrdiff_t>(is_b));
+    f += contact::kernels::row_of(&slot, 0, 0, 0) * sign[is_b];
+    t += contact::kernels::row_of(&slot, 0, 0, 1) * lever;
   }
   force = f;
   torque = t;
@@ -69,7 +71,7 @@ IN_LINE void add_slots(const SumLists& lists, std::size_t i, Row& force, Row& to
 
 IN_LINE void fetch_slots(const SumLists& lists, std::size_t i) {
   const std::uint32_t* list = lists.active + lists.start[i];
-  for (std::uint32_t e = 0; e < lists.count[i]; ++e) __builtin_prefetch(lists.slot + (list[e] >> 1));
+  for (std::uint32_t e = 0; e < lists.count[i]; ++e) __builtin_prefetch(lists.slot + lists.ring.place(list[e] >> 1));
 }
 
 IN_LINE Row floored(const Row& x) {
@@ -223,10 +225,16 @@ IN_LINE void four_bodies(const BodyArrays& p, const SumLists& lists, const BodyS
   row(m[2], 2) = w.c;
   row(m[3], 2) = w.d;
   if (!s.end) return;
-  const V x = lanes(g.x), v = lanes(g.v);
-  const Four probe = (x.x + x.y + x.z) + (v.x + v.y + v.z) + (spin.x + spin.y + spin.z), zero = probe - probe;
-  for (std::size_t k = 0; k < present; ++k)
-    if (!(zero.v[static_cast<int>(k)] == 0) && i + k < tally.bad) tally.bad = i + k;
+  // A number less itself is zero, or no number where it was infinite or none.
+  const auto nought = [](const Row& r) { return r - r; };
+  const Row z = (nought(g.x.a) + nought(g.x.b)) + (nought(g.x.c) + nought(g.x.d)) +
+                ((nought(g.v.a) + nought(g.v.b)) + (nought(g.v.c) + nought(g.v.d))) +
+                ((nought(w.a) + nought(w.b)) + (nought(w.c) + nought(w.d)));
+  if (z[0] + z[1] + z[2] + z[3] == 0) return;
+  for (std::size_t k = 0; k < present && i + k < tally.bad; ++k) {
+    const Row own = nought(row(m[k], 0)) + nought(row(m[k], 1)) + nought(row(m[k], 2));
+    if (!(own[0] + own[1] + own[2] == 0)) tally.bad = i + k;
+  }
 }
 
 // Four bodies of their own, for those that are left over: the last of them fill the places up.
@@ -265,7 +273,7 @@ IN_LINE void left_over(const BodyArrays& p, const SumLists& lists, const BodySte
   BodyTally found;
   four_bodies<sums>({own.kind, own.motion, own.orientation, own.rotation, own.angular_momentum, own.inertia, own.force,
                      own.torque, p.travel != nullptr ? own.travel : nullptr},
-                    {lists.slot, lists.active, own.start, own.count, false}, s, 0, present, found, farthest);
+                    {lists.slot, lists.active, own.start, own.count, false, lists.ring}, s, 0, present, found, farthest);
   each([&](const auto* from, auto* to) {
     for (std::size_t k = 0; k < present; ++k) to[i + k] = from[k];
   });
