@@ -119,8 +119,10 @@ class ContactStep {
         const std::size_t last = std::min(first + chunks_at_once, range.last);
         answer({bin, first, last}, s);
         const auto begin = Clock::now();
-        for (; next != plan.order.end() && plan.last[*next] < last; ++next)
+        for (; next != plan.order.end() && plan.last[*next] < last; ++next) {
+          if (next + 1 != plan.order.end()) bodies.fetch(next[1]);
           if (range.holds(plan, *next)) bodies.block(*next, mine, s.ring);
+        }
         seconds += seconds_since(begin);
       }
 #pragma omp barrier
@@ -215,6 +217,7 @@ BodyTally compute_forces(World& world, int threads, double dt, const BodyStep& t
   const auto begin = std::chrono::steady_clock::now();
   wake(world);
   std::vector<Tally> looked = meet(world, threads);
+  plan_sweep_again(world);
   ContactStep step(world, threads, dt);
   step.total = std::move(looked);
   ImpactCheck impacts(world);

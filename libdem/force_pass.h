@@ -67,6 +67,7 @@ class ForcePass {
     wanted_.overlap_only = !world.law.lingers;  // else the gap is wanted of those that hold on
     staged_ = c_.words > 0;
     lingers_ = world.law.lingers;
+    far_ = c_.history.size() * sizeof(contact::History) > (8U << 20);
     map_ = c_.words > world.law.words + 1 ? world.scene.law.map : LawMap::automatic;
     by_volume_ = map_ == LawMap::volume;
     by_depth_ = wanted_.measure = measures_depth(world);
@@ -350,6 +351,7 @@ class ForcePass {
   double dt_;
   contact::Options wanted_{.overlap_only = true, .patch = true};
   bool staged_ = false, lingers_ = false;
+  bool far_ = false;  // histories are too many for the caches near the core: data is fetched ahead
   bool by_volume_ = false, by_depth_ = false, by_area_ = false;
   LawMap map_ = LawMap::automatic;             // where records keep a word of it
   const contact::Lattice* lattice_ = nullptr;  // null: bodies have no images

@@ -42,6 +42,7 @@ class PairPass : public ForcePass {
   Tally met_pairs(Met& met, std::size_t chunk, Scratch& s) const {
     const std::size_t first = chunk * chunk_size, n = std::min(chunk_size, met.count - first);
     const std::uint32_t *record = &met.record[first], *a = &met.a[first], *b = &met.b[first], *seat = &met.seat[first];
+    if (far_) fetch_chunk(met, first + chunk_size);
     if (met.pair_everywhere == none || s.pair_everywhere != met.pair_everywhere) {
       for (std::size_t i = 0; i < n; ++i) load_pair(i, met.pair[first + i], s);
       s.pair_everywhere = n == chunk_size ? met.pair_everywhere : none;
@@ -68,6 +69,20 @@ class PairPass : public ForcePass {
     t.touching = static_cast<std::size_t>(std::popcount(touching));
     t.by_spheres = n - t.touching;
     return t;
+  }
+
+  // What the chunk from `first` on will read.
+  [[gnu::always_inline]] void fetch_chunk(const Met& met, std::size_t first) const {
+    const std::size_t last = std::min(first + chunk_size, met.count);
+    for (std::size_t i = first; i < last; ++i) {
+      const char *a = reinterpret_cast<const char*>(&p_.motion[met.a[i]]),
+                 *b = reinterpret_cast<const char*>(&p_.motion[met.b[i]]);
+      __builtin_prefetch(a);
+      __builtin_prefetch(a + sizeof(Motion) - 1);
+      __builtin_prefetch(b);
+      __builtin_prefetch(b + sizeof(Motion) - 1);
+      __builtin_prefetch(&c_.history[met.seat[i]], 1);
+    }
   }
 
   // The same for laws that remember more, resist rolling, or hold on across a gap: kernel after kernel over the chunk.

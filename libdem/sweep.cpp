@@ -67,6 +67,13 @@ SlotRing ring_of(const World& world, std::size_t thread, std::size_t threads) {
           static_cast<std::uint32_t>(ring * chunk_size - 1)};
 }
 
+void plan_sweep_again(World& world) {
+  std::size_t most = 0;
+  for (const Bin& b : world.contacts.bins)
+    if (b.round()) most = std::max(most, b.met.count / chunk_size);
+  if (most > 2 * world.contacts.sweep.chunks) plan_sweep(world);
+}
+
 BodyPass::BodyPass(World& world, const BodyStep& step)
     : step_(step), kernel_(body_kernel()), count_(world.particles.count()) {
   Particles& p = world.particles;

@@ -15,6 +15,8 @@ inline constexpr std::size_t chunks_at_once = 8;
 
 // After the seats have been given, at a rebuild of the list of candidates.
 void plan_sweep(World& world);
+// After round pairs have met: where most of them have done so since the plan was made, as at the start of a run.
+void plan_sweep_again(World& world);
 
 // The chunks of a thread among `threads`.
 struct ChunkRange {
@@ -42,6 +44,21 @@ class BodyPass {
     SumLists lists = lists_;
     lists.ring = ring;
     kernel_(arrays_, lists, step_, first, std::min(count_, first + bodies_at_once), tally);
+  }
+  // What a block's bodies read beside their motions and slots, ahead of its turn.
+  [[gnu::always_inline]] void fetch(std::size_t number) const {
+    const std::size_t first = number * bodies_at_once, n = std::min(bodies_at_once, count_ - first);
+    const auto lines = [n](const auto* array) {
+      const char* from = reinterpret_cast<const char*>(array);
+      for (std::size_t at = 0; at < n * sizeof *array; at += 64) __builtin_prefetch(from + at, 1);
+    };
+    lines(arrays_.angular_momentum + first);
+    lines(arrays_.orientation + first);
+    lines(arrays_.rotation + first);
+    lines(arrays_.inertia + first);
+    const std::uint32_t* entry = lists_.active + lists_.start[first];
+    const std::uint32_t* last = lists_.active + lists_.start[first + n - 1] + lists_.count[first + n - 1];
+    for (; entry < last; entry += 16) __builtin_prefetch(entry);
   }
   bool keeps() const { return step_.keep; }
   std::size_t blocks() const { return (count_ + bodies_at_once - 1) / bodies_at_once; }
