@@ -17,13 +17,13 @@ Vec3d crossing(const Vec3d& in, const Vec3d& out, double height_in, double heigh
   return in + (height_in / (height_in - height_out)) * (out - in);
 }
 
+}  // namespace
+
 HalfSpace face_of_other(const PolyhedronPair& pair, std::uint32_t i) {
   const auto& face = pair.other->faces[i];
   const Vec3d n = pair.other_to_self * face.normal;
   return {n, pair.other_scale * face.offset + dot(n, pair.offset)};
 }
-
-}  // namespace
 
 void OverlapBody::begin_walk(const shapes::Polyhedron& p) {
   clear();
@@ -239,41 +239,43 @@ void OverlapBody::cut_by_other(const PolyhedronPair& pair, Except except) {
       [&](std::uint32_t i) { return face_of_other(pair, i); });
 }
 
-bool OverlapBody::begin(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other) {
+EdgesMeeting::EdgesMeeting(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other)
+    : found(false) {
   const auto &a = pair.self->edges[edge_of_self], &b = pair.other->edges[edge_of_other];
-  const Vec3d p = pair.self_vertex(a.vertex[0]), e = pair.self_vertex(a.vertex[1]) - p;
-  const Vec3d q = pair.other_vertex(b.vertex[0]), f = pair.other_vertex(b.vertex[1]) - q, w = q - p;
-  const Vec3d of_a[2] = {pair.self->faces[a.face[0]].normal, pair.self->faces[a.face[1]].normal};
-  const Vec3d of_b[2] = {pair.other_to_self * pair.other->faces[b.face[0]].normal,
-                         pair.other_to_self * pair.other->faces[b.face[1]].normal};
-  // Where the line of each edge meets the faces at the other one: corners 0 and 1 on self's, 2 and 3 on other's, in the
-  // order of other's faces and self's.
+  p = pair.self_vertex(a.vertex[0]);
+  e = pair.self_vertex(a.vertex[1]) - p;
+  q = pair.other_vertex(b.vertex[0]);
+  f = pair.other_vertex(b.vertex[1]) - q;
+  w = q - p;
+  for (int i = 0; i < 2; ++i) {
+    of_a[i] = pair.self->faces[a.face[i]].normal;
+    of_b[i] = pair.other_to_self * pair.other->faces[b.face[i]].normal;
+  }
   const double rise_a[2] = {dot(of_b[0], e), dot(of_b[1], e)}, rise_b[2] = {dot(of_a[0], f), dot(of_a[1], f)};
-  // Along self's edge from other's face `low` to its face `high`; then other's edge runs from self's face 0 to 1 with
-  // `low` on its left.
-  const std::uint32_t low = rise_a[0] < 0 ? 0 : 1, high = 1 - low;
-  if (!(rise_a[low] < 0 && rise_a[high] > 0 && rise_b[low] < 0 && rise_b[high] > 0)) return false;
-  double s[2], t[2];
+  low = rise_a[0] < 0 ? 0 : 1;
+  high = 1 - low;
+  if (!(rise_a[low] < 0 && rise_a[high] > 0 && rise_b[low] < 0 && rise_b[high] > 0)) return;
   for (int i = 0; i < 2; ++i) {
     s[i] = dot(of_b[i], w) / rise_a[i];
     t[i] = -dot(of_a[i], w) / rise_b[i];
   }
   const auto near_edge = [](double x) { return std::abs(x) <= 2; };
-  if (!(s[low] < s[high] && t[low] < t[high] && near_edge(s[0]) && near_edge(s[1]) && near_edge(t[0]) &&
-        near_edge(t[1])))
-    return false;
+  found =
+      s[low] < s[high] && t[low] < t[high] && near_edge(s[0]) && near_edge(s[1]) && near_edge(t[0]) && near_edge(t[1]);
+}
+
+bool OverlapBody::begin(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other) {
+  const EdgesMeeting m(pair, edge_of_self, edge_of_other);
+  if (!m.found) return false;
   clear();
   corners_.make_room(4);
   sides_.make_room(6);
   faces_.make_room(4);
-  corners_[0] = p + s[low] * e;
-  corners_[1] = p + s[high] * e;
-  corners_[2] = q + t[0] * f;
-  corners_[3] = q + t[1] * f;
-  faces_[0] = {of_a[0], 0, false};
-  faces_[1] = {of_a[1], 0, false};
-  faces_[2] = {of_b[low], 0, true};
-  faces_[3] = {of_b[high], 0, true};
+  m.corners(corners_.data());
+  faces_[0] = {m.of_a[0], 0, false};
+  faces_[1] = {m.of_a[1], 0, false};
+  faces_[2] = {m.of_b[m.low], 0, true};
+  faces_[3] = {m.of_b[m.high], 0, true};
   constexpr Side sides[6] = {{0, 1, 0, 1}, {2, 3, 2, 3}, {1, 2, 0, 3}, {2, 0, 0, 2}, {0, 3, 1, 2}, {3, 1, 1, 3}};
   std::copy_n(sides, 6, sides_.data());
   form_ = Form::edges;

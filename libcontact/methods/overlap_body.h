@@ -18,6 +18,7 @@
 #include <span>
 #include <vector>
 
+#include "libcontact/kernels/overlap_sums.h"
 #include "libcontact/methods/polyhedron_pair.h"
 #include "libcontact/methods/scratch_list.h"
 
@@ -27,6 +28,26 @@ namespace contact {
 struct HalfSpace {
   Vec3d n;
   double level;
+};
+
+HalfSpace face_of_other(const PolyhedronPair& pair, std::uint32_t face);
+
+// Where the line of an edge of each body meets the faces at the other one.
+struct EdgesMeeting {
+  Vec3d p, e, q, f, w;     // starts and vectors of self's and other's edge; q - p
+  Vec3d of_a[2], of_b[2];  // outward normals at them
+  double s[2], t[2];       // along self's edge, of other's faces; along other's edge, of self's
+  int low, high;           // self's edge runs in other from face `low` to face `high`
+  bool found;              // false: the edges do not pass through each other, or pass nearly parallel
+
+  EdgesMeeting(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other);
+  // Corners 0 and 1 on self's edge, 2 and 3 on other's, in the order of other's faces and self's; the faces there.
+  void corners(Vec3d* x) const {
+    x[0] = p + s[low] * e;
+    x[1] = p + s[high] * e;
+    x[2] = q + t[0] * f;
+    x[3] = q + t[1] * f;
+  }
 };
 
 class OverlapBody {
@@ -39,10 +60,7 @@ class OverlapBody {
   // about n in order, and the plane's face the last one; two edges, self's from corner 0 to 1 and other's from 2 to 3,
   // self's faces 0 and 1, other's 2 at corner 0 and 3 at corner 1.
   enum class Form { general, corner, edges };
-  struct Side {
-    std::uint32_t from, to;     // corners
-    std::uint32_t left, right;  // faces, seen from outside along the side
-  };
+  using Side = kernels::OverlapSide;
   struct Face {
     Vec3d normal;          // unit, out of the overlap
     std::uint32_t enters;  // scratch of a cut: the crossing where the face enters what is kept

@@ -178,8 +178,7 @@ bool measured(const DifferencePair& pair, const DifferenceFacet& facet, const Fa
       std::min(pair.self_scale * pair.self->circumradius, pair.other_scale * pair.other->circumradius);
   OverlapDepth depth;
   Patch patch;
-  if (!facet_depth(pair, facet, axis.normal, -axis.value, {frame.rotation_a, frame.rotation_b, frame.offset, smaller},
-                   depth, patch))
+  if (!facet_depth(pair, facet, axis, {frame.rotation_a, frame.rotation_b, frame.offset, smaller}, depth, patch))
     return false;
   const Vec3d normal = world_normal(pair, facet, axis, frame);
   Vec3d on_a, on_b;
