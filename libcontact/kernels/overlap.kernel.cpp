@@ -1,6 +1,9 @@
 // (1)–(4) of overlap_depth.h over the triangles and sides of a body. Compiled once per instruction set.
 #pragma GCC diagnostic ignored "-Wpsabi"  // rows are passed within this file alone
+#include <limits>
+
 #include "libcontact/kernels/overlap_sums.h"
+#include "shapes/math/pack.h"
 
 // One function with everything in line: no symbol of it is left that another set could take. As in law_kernel.h.
 #ifdef __SANITIZE_ADDRESS__
@@ -13,8 +16,10 @@ namespace contact::kernels {
 inline namespace KERNEL_SET {
 namespace {
 
+using shapes::Pack;
 using shapes::Vec3;
 using shapes::Vec3d;
+using std::experimental::element_aligned;
 
 using Row = double __attribute__((vector_size(32)));
 using Unaligned = double __attribute__((vector_size(32), may_alias, aligned(8)));
@@ -186,7 +191,67 @@ KERNEL_IN_LINE bool overlap_slope(const OverlapLists& in, double size, DepthSlop
   return true;
 }
 
-extern const OverlapKernels overlap_set{overlap_slope};
+// A ball about the corners first: of most planes it tells that none lies over them.
+KERNEL_IN_LINE std::size_t overlap_cutting(const Points& normals, const double* offsets, std::size_t planes,
+                                           const OverlapRow* corner, std::size_t filled, std::uint32_t* out) {
+  constexpr std::size_t width = Pack::size();
+  Row sum{};
+  for (std::size_t i = 0; i < filled; ++i) sum += row(corner[i]);
+  const Row middle = sum * (1 / static_cast<double>(filled));
+  const V centre{all(middle[0]), all(middle[1]), all(middle[2])};
+  Row square{};
+  for (std::size_t i = 0; i < filled; i += 4) {
+    const OverlapRow* c = corner + i;
+    const V arm = turned(row(c[0]), row(c[1]), row(c[2]), row(c[3])) - centre;
+    const Row here = dot(arm, arm);
+    square = here > square ? here : square;
+  }
+  const double a = square[0] > square[1] ? square[0] : square[1], b = square[2] > square[3] ? square[2] : square[3];
+  const double radius = std::sqrt(a > b ? a : b) * (1 + 0x1p-20);
+  const Pack x = middle[0], y = middle[1], z = middle[2], reach = radius;
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < normals.count; i += width) {
+    const Pack nx(normals.x + i, element_aligned), ny(normals.y + i, element_aligned),
+        nz(normals.z + i, element_aligned), nd(offsets + i, element_aligned);
+    if (none_of(x * nx + y * ny + z * nz + reach > nd)) continue;
+    Pack most = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < filled; ++k) most = max(most, corner[k].x * nx + corner[k].y * ny + corner[k].z * nz);
+    if (none_of(most > nd)) continue;
+    double over[width];
+    (most - nd).copy_to(over, element_aligned);
+    for (std::size_t lane = 0; lane < width; ++lane) {
+      out[found] = static_cast<std::uint32_t>(i + lane);
+      found += static_cast<std::size_t>(over[lane] > 0) & static_cast<std::size_t>(i + lane < planes);
+    }
+  }
+  return found;
+}
+
+KERNEL_IN_LINE std::size_t overlap_deepest(const OverlapPlanes& planes, std::size_t count, const Vec3d* corner,
+                                           std::size_t corners, std::size_t& deepest) {
+  const auto at = [](double* list, std::size_t i) -> Row { return *reinterpret_cast<const Unaligned*>(list + i); };
+  std::size_t kept = 0;
+  double farthest = 0;
+  for (std::size_t i = 0; i < count; i += 4) {
+    const Row x = at(planes.x, i), y = at(planes.y, i), z = at(planes.z, i), level = at(planes.level, i);
+    Row most = all(-std::numeric_limits<double>::infinity());
+    for (std::size_t k = 0; k < corners; ++k) {
+      const Row over = x * corner[k].x + y * corner[k].y + z * corner[k].z - level;
+      most = over > most ? over : most;
+    }
+    for (std::size_t lane = 0; lane < 4 && i + lane < count; ++lane) {
+      if (!(most[lane] > 0)) continue;
+      if (most[lane] > farthest) farthest = most[lane], deepest = kept;
+      planes.x[kept] = x[lane];
+      planes.y[kept] = y[lane];
+      planes.z[kept] = z[lane];
+      planes.level[kept++] = level[lane];
+    }
+  }
+  return kept;
+}
+
+extern const OverlapKernels overlap_set{overlap_slope, overlap_cutting, overlap_deepest};
 
 }  // namespace KERNEL_SET
 }  // namespace contact::kernels

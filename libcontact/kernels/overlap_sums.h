@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "libcontact/kernels/extreme.h"
 #include "shapes/math/vec.h"
 
 namespace contact {
@@ -49,8 +50,22 @@ struct OverlapLists {
 // `size`: of the smaller body. False where the overlap is shallower than least_depth of it, or its vector area has no
 // direction.
 using OverlapSlopeKernel = bool (*)(const OverlapLists& body, double size, DepthSlope& out);
+
+// Planes normal·x <= offset that some of the corners lie over, in order, into `out`, which has room for normals.count;
+// how many. Of the padded planes only the first `planes` count; corners are filled up to a multiple of four by repeats.
+using OverlapCuttingKernel = std::size_t (*)(const Points& normals, const double* offsets, std::size_t planes,
+                                             const OverlapRow* corner, std::size_t filled, std::uint32_t* out);
+// The same of a list of planes, with room for three more: it keeps those and is put in `deepest` which of them the
+// farthest corner lies over.
+struct OverlapPlanes {
+  double *x, *y, *z, *level;
+};
+using OverlapDeepestKernel = std::size_t (*)(const OverlapPlanes& planes, std::size_t count,
+                                             const shapes::Vec3d* corner, std::size_t corners, std::size_t& deepest);
 struct OverlapKernels {
   OverlapSlopeKernel slope;
+  OverlapCuttingKernel cutting;
+  OverlapDeepestKernel deepest;
 };
 // Those of the set that kernels() has chosen.
 const OverlapKernels& overlap_kernels();

@@ -144,7 +144,6 @@ bool OverlapBody::cut(const HalfSpace& keep, bool of_other) {
   crossings_.make_room(side_count_);
   faces_.make_room(face_count_ + 1, face_count_);
   form_ = Form::general;
-  ball_known_ = false;
   Vec3d* const corners = corners_.data();
   Side *const sides = sides_.data(), *const crossed = crossed_.data();
   // No branch on what cannot be guessed.
@@ -175,51 +174,45 @@ bool OverlapBody::cut(const HalfSpace& keep, bool of_other) {
   return true;
 }
 
-const OverlapBody::Ball& OverlapBody::ball() {
-  if (ball_known_) return ball_;
-  Vec3d sum{};
-  for (const Vec3d& x : corners()) sum += x;
-  const Vec3d middle = sum * (1 / static_cast<double>(corner_count_));
-  double square = 0;
-  for (const Vec3d& x : corners()) square = std::max(square, dot(x - middle, x - middle));
-  ball_ = {middle, std::sqrt(square)};
-  ball_known_ = true;
-  return ball_;
-}
-
-// The ball about what is left tells which planes may cut: from the body's frame into p's geometry by `into`, planes
-// back by `face_of`. Of many, the one that cuts most comes first and leaves less for the others.
+// Of the planes that corners lie over, those of p's geometry where `into` takes them from the body's frame; planes back
+// by `face_of`. The one that cuts most comes first and leaves less for the others.
 template <class Into, class FaceOf>
 void OverlapBody::cut_by(const shapes::Polyhedron& p, double down, Except except, bool of_other, Into&& into,
                          FaceOf&& face_of) {
   if (empty()) return;
-  Vec3d middle;
-  double reach = 0;
-  const auto look = [&] {
-    const Ball& b = ball();
-    middle = down * into(b.middle);
-    reach = down * b.radius + 32 * epsilon * (max_abs(middle) + p.circumradius);
-  };
-  const auto height = [&](std::uint32_t i) { return dot(p.faces[i].normal, middle) - p.faces[i].offset; };
-  look();
-  near_.make_room(p.nx.size() + 1);
-  std::uint32_t* const near = near_.data();
-  std::size_t count = kernels::search_kernels().reaching({p.nx.data(), p.ny.data(), p.nz.data(), p.nx.size()},
-                                                         p.nd.data(), p.faces.size(), middle, reach, near);
-  count = static_cast<std::size_t>(
-      std::remove_if(near, near + count, [&](std::uint32_t i) { return i == except.face[0] || i == except.face[1]; }) -
-      near);
-  if (count > 3) {
-    std::size_t first = 0;
-    double most = height(near[0]);
-    for (std::size_t i = 1; i < count; ++i)
-      if (const double h = height(near[i]); h > most) most = h, first = i;
-    std::swap(near[0], near[first]);
+  const std::size_t filled = (corner_count_ + 3) / 4 * 4;
+  seen_.make_room(filled);
+  for (std::size_t i = 0; i < filled; ++i) {
+    const Vec3d x = down * into(corners_[i < corner_count_ ? i : 0]);
+    seen_[i] = {x.x, x.y, x.z, 0};
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!(height(near[i]) + reach > 0) || !cut(face_of(near[i]), of_other)) continue;
+  near_.make_room(p.nx.size() + 1);
+  const kernels::OverlapKernels& kernels = kernels::overlap_kernels();
+  const std::size_t found = kernels.cutting({p.nx.data(), p.ny.data(), p.nz.data(), p.nx.size()}, p.nd.data(),
+                                            p.faces.size(), seen_.data(), filled, near_.data());
+  const std::size_t room = found + 4;
+  planes_.make_room(4 * room);
+  const kernels::OverlapPlanes planes{planes_.data(), planes_.data() + room, planes_.data() + 2 * room,
+                                      planes_.data() + 3 * room};
+  const auto set = [&](std::size_t i, const Vec3d& n, double level) {
+    planes.x[i] = n.x, planes.y[i] = n.y, planes.z[i] = n.z, planes.level[i] = level;
+  };
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < found; ++i) {
+    if (near_[i] == except.face[0] || near_[i] == except.face[1]) continue;
+    const HalfSpace face = face_of(near_[i]);
+    set(count++, face.n, face.level);
+  }
+  for (std::size_t i = count; i % 4 != 0; ++i) set(i, {}, 0);
+  for (;;) {
+    std::size_t deepest = 0;
+    count = kernels.deepest(planes, count, corners_.data(), corner_count_, deepest);
+    if (count == 0) return;
+    const HalfSpace face{{planes.x[deepest], planes.y[deepest], planes.z[deepest]}, planes.level[deepest]};
+    --count;
+    set(deepest, {planes.x[count], planes.y[count], planes.z[count]}, planes.level[count]);
+    cut(face, of_other);
     if (empty()) return;
-    if (i + 2 < count) look();
   }
 }
 
