@@ -25,9 +25,10 @@ bool under_face(const PolyhedronPair& pair, std::uint32_t face, std::uint32_t ve
 }
 bool of_edges(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other, const Vec3d& n,
               double depth, double size, DepthSlope& out) {
-  if (EdgesOverlap e; edges_alone(pair, edge_of_self, edge_of_other, e))
+  const EdgesMeeting meeting(pair, edge_of_self, edge_of_other);
+  if (EdgesOverlap e; edges_alone(pair, meeting, edge_of_self, edge_of_other, e))
     return edges_slope(e.corner, e.normal, size, out);
-  return depth_slope(overlap_of_edges(pair, edge_of_self, edge_of_other, n, depth), size, out);
+  return depth_slope(overlap_of_edges(pair, meeting, edge_of_self, edge_of_other, n, depth), size, out);
 }
 
 }  // namespace

@@ -257,8 +257,7 @@ EdgesMeeting::EdgesMeeting(const PolyhedronPair& pair, std::uint32_t edge_of_sel
       s[low] < s[high] && t[low] < t[high] && near_edge(s[0]) && near_edge(s[1]) && near_edge(t[0]) && near_edge(t[1]);
 }
 
-bool OverlapBody::begin(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other) {
-  const EdgesMeeting m(pair, edge_of_self, edge_of_other);
+bool OverlapBody::begin(const EdgesMeeting& m) {
   if (!m.found) return false;
   clear();
   corners_.make_room(4);
@@ -291,12 +290,12 @@ const OverlapBody& overlap_under_face(const PolyhedronPair& pair, std::uint32_t 
   return body;
 }
 
-const OverlapBody& overlap_of_edges(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other,
-                                    const Vec3d& n, double depth) {
+const OverlapBody& overlap_of_edges(const PolyhedronPair& pair, const EdgesMeeting& meeting, std::uint32_t edge_of_self,
+                                    std::uint32_t edge_of_other, const Vec3d& n, double depth) {
   OverlapBody& body = scratch();
   const auto &a = pair.self->edges[edge_of_self], &b = pair.other->edges[edge_of_other];
   const OverlapBody::Except of_other{{b.face[0], b.face[1]}};
-  if (body.begin(pair, edge_of_self, edge_of_other)) {
+  if (body.begin(meeting)) {
     body.cut_by_self(pair, {{a.face[0], a.face[1]}});
     body.cut_by_other(pair, of_other);
     return body;

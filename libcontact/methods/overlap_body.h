@@ -72,7 +72,7 @@ class OverlapBody {
   void begin(const shapes::Polyhedron& p, double scale) { begin(p, scale, {{}, 1}, 0); }
   // What lies behind the two faces at an edge of each body, a tetrahedron. False: the edges do not pass through each
   // other, or pass nearly parallel.
-  bool begin(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other);
+  bool begin(const EdgesMeeting& meeting);
   // False: nothing lies outside the half space.
   bool cut(const HalfSpace& keep, bool of_other = true);
   // Keeps what lies behind all faces of one of the pair but those in `except`.
@@ -121,8 +121,8 @@ const OverlapBody& overlap_body(const PolyhedronPair& pair);
 // The same where self reaches under a face of other with a vertex that lies farthest below it.
 const OverlapBody& overlap_under_face(const PolyhedronPair& pair, std::uint32_t face, std::uint32_t vertex);
 // The same where two edges pass through each other, by `depth` along n, from self to other.
-const OverlapBody& overlap_of_edges(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other,
-                                    const Vec3d& n, double depth);
+const OverlapBody& overlap_of_edges(const PolyhedronPair& pair, const EdgesMeeting& meeting, std::uint32_t edge_of_self,
+                                    std::uint32_t edge_of_other, const Vec3d& n, double depth);
 // What lies of p, scaled, in the half space.
 const OverlapBody& overlap_body(const shapes::Polyhedron& p, double scale, const HalfSpace& keep);
 

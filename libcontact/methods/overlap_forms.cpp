@@ -52,9 +52,8 @@ bool corner_alone(const PolyhedronPair& pair, std::uint32_t face, std::uint32_t 
 }
 
 // Each end of the one edge's part lies in a face at the other edge where it is in the triangle over that edge.
-bool edges_alone(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other,
-                 EdgesOverlap& out) {
-  const EdgesMeeting m(pair, edge_of_self, edge_of_other);
+bool edges_alone(const PolyhedronPair& pair, const EdgesMeeting& m, std::uint32_t edge_of_self,
+                 std::uint32_t edge_of_other, EdgesOverlap& out) {
   if (!m.found) return false;
   const double ee = dot(m.e, m.e), ff = dot(m.f, m.f), ef = dot(m.e, m.f), we = dot(m.w, m.e), wf = dot(m.w, m.f),
                ww = dot(m.w, m.w), tent_e = pair.self->edge_tent[edge_of_self] * ee,
@@ -64,12 +63,13 @@ bool edges_alone(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::ui
     const double along = place * place * length, end = std::min(place, 1 - place);
     return end > 0 && (square - along) + 0x1p-40 * (square + along) < tent * (end * end);
   };
+  const double per_ee = 1 / ee, per_ff = 1 / ff;
   bool alone = true;
   for (int i = 0; i < 2; ++i) {
     const double s = m.s[i], t = m.t[i];
     alone = alone && s > 0 && s < 1 && t > 0 && t < 1 &&
-            held((we + t * ef) / ee, ww + t * (2 * wf + t * ff), ee, tent_e) &&
-            held((s * ef - wf) / ff, ww - s * (2 * we - s * ee), ff, tent_f);
+            held((we + t * ef) * per_ee, ww + t * (2 * wf + t * ff), ee, tent_e) &&
+            held((s * ef - wf) * per_ff, ww - s * (2 * we - s * ee), ff, tent_f);
   }
   if (!alone) return false;
   m.corners(out.corner);

@@ -37,8 +37,8 @@ struct EdgesOverlap {
 // faces are not looked at. In self's frame.
 bool corner_alone(const PolyhedronPair& pair, std::uint32_t face, std::uint32_t vertex, double reach,
                   CornerOverlap& out);
-bool edges_alone(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other,
-                 EdgesOverlap& out);
+bool edges_alone(const PolyhedronPair& pair, const EdgesMeeting& meeting, std::uint32_t edge_of_self,
+                 std::uint32_t edge_of_other, EdgesOverlap& out);
 
 // False as depth_slope.
 bool corner_slope(std::span<const Vec3d> corners, const Vec3d& n, double depth, double size, DepthSlope& out);
