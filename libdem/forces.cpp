@@ -169,6 +169,7 @@ class PairPass : public ForcePass {
       const std::size_t r = places[i], k = records[r];
       if (!c_.travel.empty() && travels(world_, bin, r) < c_.apart_until[k] && !may_hold(k)) continue;
       prefetch(k);
+      if (!bin.wall) prefetch_body(b[r]);
       s.entry[asked] = static_cast<std::uint32_t>(r);
       s.index_a[asked] = a[r];
       s.index_b[asked++] = bin.wall ? a[r] : b[r];  // a wall has no bounding sphere
@@ -255,8 +256,9 @@ class PairPass : public ForcePass {
       if (by_volume_ && !measure(k, s.a[i], s.b[i], s.offset[i], q, v, t, s)) continue;
       load_pair(n, bin.pair[r], s);
       const std::uint32_t ia = bin.a_index[r], ib = bin.b_index[r];
-      const contact::Patch patch =
-          apart ? across_gap(bin.query, over_a_patch(bin), k, s.a[i], s.b[i], s.offset[i], q) : q.patch;
+      contact::Patch across;
+      if (apart) across = across_gap(bin.query, over_a_patch(bin), k, s.a[i], s.b[i], s.offset[i], q);
+      const contact::Patch& patch = apart ? across : q.patch;
       contact::OverlapDepth d;  // by default what the query says
       if (by_volume_)
         d = {-q.gap, 1, v.normal, v.point, 0};
@@ -285,6 +287,15 @@ class PairPass : public ForcePass {
     __builtin_prefetch(&c_.history_of(k), 1);
     fetch(c_.slot[c_.slot_of(k)]);
     fetch(c_.slot[c_.slot_of_b(k)]);
+  }
+
+  // What is read of body b of a pair in question; those of its body a are as a rule at hand from the pair before.
+  [[gnu::always_inline]] void prefetch_body(std::size_t i) const {
+    __builtin_prefetch(&p_.motion[i]);
+    __builtin_prefetch(&p_.motion[i].spin);
+    __builtin_prefetch(&p_.orientation[i]);
+    __builtin_prefetch(&p_.size[i]);
+    __builtin_prefetch(&p_.inertia[i]);
   }
 
   // Beyond each other's middle. Sharp edges turn a normal by more than a right angle, regions change places; the slope

@@ -191,24 +191,25 @@ KERNEL_IN_LINE bool overlap_slope(const OverlapLists& in, double size, DepthSlop
   return true;
 }
 
-// A ball about the corners first: of most planes it tells that none lies over them.
+// Of many planes a ball about the corners tells of most that no corner lies over them.
 KERNEL_IN_LINE std::size_t overlap_cutting(const Points& normals, const double* offsets, std::size_t planes,
                                            const OverlapRow* corner, std::size_t filled, std::uint32_t* out) {
-  constexpr std::size_t width = Pack::size();
-  Row sum{};
-  for (std::size_t i = 0; i < filled; ++i) sum += row(corner[i]);
-  const Row middle = sum * (1 / static_cast<double>(filled));
-  const V centre{all(middle[0]), all(middle[1]), all(middle[2])};
-  Row square{};
-  for (std::size_t i = 0; i < filled; i += 4) {
-    const OverlapRow* c = corner + i;
-    const V arm = turned(row(c[0]), row(c[1]), row(c[2]), row(c[3])) - centre;
-    const Row here = dot(arm, arm);
-    square = here > square ? here : square;
+  constexpr std::size_t width = Pack::size(), few = 16;
+  // Number by number: what has just been written so is not read as a row without a wait.
+  Vec3d middle{};
+  double radius = std::numeric_limits<double>::infinity();
+  if (normals.count > few) {
+    for (std::size_t i = 0; i < filled; ++i) middle += Vec3d{corner[i].x, corner[i].y, corner[i].z};
+    middle *= 1 / static_cast<double>(filled);
+    double square = 0;
+    for (std::size_t i = 0; i < filled; ++i) {
+      const Vec3d arm = Vec3d{corner[i].x, corner[i].y, corner[i].z} - middle;
+      const double here = dot(arm, arm);
+      square = here > square ? here : square;
+    }
+    radius = std::sqrt(square) * (1 + 0x1p-20);
   }
-  const double a = square[0] > square[1] ? square[0] : square[1], b = square[2] > square[3] ? square[2] : square[3];
-  const double radius = std::sqrt(a > b ? a : b) * (1 + 0x1p-20);
-  const Pack x = middle[0], y = middle[1], z = middle[2], reach = radius;
+  const Pack x = middle.x, y = middle.y, z = middle.z, reach = radius;
   std::size_t found = 0;
   for (std::size_t i = 0; i < normals.count; i += width) {
     const Pack nx(normals.x + i, element_aligned), ny(normals.y + i, element_aligned),

@@ -47,7 +47,7 @@ bool facet_depth(const PolyhedronPair& pair, const DifferenceFacet& facet, const
   out = rotated(line_of_action(slope), rotation);
   out.point += position;
   if (turned) out.normal = -out.normal;
-  patch = patch_of(slope, rotation, position);
+  patch = facet.kind == DifferenceFacet::edges ? Patch{} : patch_of(slope, rotation, position);
   return true;
 }
 
