@@ -17,20 +17,16 @@ extern const OverlapKernels overlap_set;
 }
 #endif
 
-namespace {
-
-const OverlapKernels& choose() {
+const OverlapKernels& overlap_kernels([[maybe_unused]] const char* set) {
 #if defined(__x86_64__)
-  if (std::strcmp(kernels().name, "avx512") == 0) return avx512::overlap_set;
-  if (std::strcmp(kernels().name, "avx2") == 0) return avx2::overlap_set;
+  if (std::strcmp(set, "avx512") == 0) return avx512::overlap_set;
+  if (std::strcmp(set, "avx2") == 0) return avx2::overlap_set;
 #endif
   return sse2::overlap_set;
 }
 
-}  // namespace
-
 const OverlapKernels& overlap_kernels() {
-  static const OverlapKernels& set = choose();
+  static const OverlapKernels& set = overlap_kernels(kernels().name);
   return set;
 }
 
