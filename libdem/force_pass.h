@@ -68,6 +68,8 @@ class ForcePass {
     by_volume_ = map_ == LawMap::volume;
     by_depth_ = wanted_.measure = measures_depth(world);
     by_area_ = measures_area(world);
+    for (const ShapeEntry& e : world.shapes)
+      if (e.kind == shapes::Kind::polyhedron) thinnest_ = std::min(thinnest_, e.inscribed_radius / e.circumradius);
     lattice_ = world.cell.periodic ? &world.cell.lattice : nullptr;
     for (const Wall& w : world.walls) {
       contact::Body b;
@@ -346,6 +348,7 @@ class ForcePass {
   contact::Options wanted_{.overlap_only = true, .patch = true};
   bool staged_ = false, lingers_ = false;
   bool by_volume_ = false, by_depth_ = false, by_area_ = false;
+  double thinnest_ = 1;                        // least inscribed over circumradius of the polyhedra
   LawMap map_ = LawMap::automatic;             // where records keep a word of it
   const contact::Lattice* lattice_ = nullptr;  // null: bodies have no images
   std::vector<WallFrame> walls_;

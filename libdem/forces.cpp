@@ -304,7 +304,10 @@ class PairPass : public ForcePass {
     if (bin.regions) return false;
     if (dot(c_.history_of(k).normal, q.normal) < -0.9) return true;
     if (!by_depth_ || bin.a != shapes::Kind::polyhedron || bin.b != shapes::Kind::polyhedron) return false;
-    return -q.gap > 0.9 * (inscribed_radius(world_, c_.index_a[k]) + inscribed_radius(world_, c_.index_b[k]));
+    const std::uint32_t a = c_.index_a[k], b = c_.index_b[k];
+    const double reach = p_.motion[a].bounding_radius + p_.motion[b].bounding_radius;
+    if (!(-q.gap > 0.89 * thinnest_ * reach)) return false;  // nearly all
+    return -q.gap > 0.9 * (inscribed_radius(world_, a) + inscribed_radius(world_, b));
   }
 
   // The overlap of flat faces as the potential of overlap_depth.h has it. False: of round bodies, of a method's own

@@ -126,12 +126,13 @@ bool OverlapBody::cut(const HalfSpace& keep, bool of_other) {
   height_.make_room(count);
   kept_as_.make_room(count);
   double* const height = height_.data();
-  std::uint32_t* const kept_as = kept_as_.data();
+  std::uint32_t* const kept_as = kept_as_.data();  // the highest bit: lies outside
   std::uint32_t kept = 0;
   for (std::size_t i = 0; i < count; ++i) {
     height[i] = dot(keep.n, corners_[i]) - keep.level;
-    kept_as[i] = kept;
-    kept += height[i] > 0 ? 0 : 1;
+    const std::uint32_t out = height[i] > 0 ? 1 : 0;
+    kept_as[i] = out << 31 | kept;
+    kept += out ^ 1;
   }
   if (kept == count) return false;
   if (kept == 0) {
@@ -150,15 +151,15 @@ bool OverlapBody::cut(const HalfSpace& keep, bool of_other) {
   std::size_t left = 0, crossings = 0;
   for (std::size_t i = 0; i < side_count_; ++i) {
     const Side s = sides[i];
-    const std::size_t from_out = height[s.from] > 0, to_out = height[s.to] > 0;
+    const std::uint32_t from = kept_as[s.from], to = kept_as[s.to];
     crossed[crossings] = s;
-    crossings += from_out ^ to_out;
-    sides[left] = {kept_as[s.from], kept_as[s.to], s.left, s.right};
-    left += (from_out | to_out) ^ 1;
+    crossings += (from ^ to) >> 31;
+    sides[left] = {from, to, s.left, s.right};
+    left += ((from | to) >> 31) ^ 1;
   }
   for (std::uint32_t c = 0; c < crossings; ++c) {
     const Side& s = crossed[c];
-    const bool from_out = height[s.from] > 0;
+    const bool from_out = kept_as[s.from] >> 31 != 0;
     const std::uint32_t in = from_out ? s.to : s.from, out = from_out ? s.from : s.to,
                         leaves = from_out ? s.right : s.left, enters = from_out ? s.left : s.right, here = kept + c;
     corners[count + c] = crossing(corners[in], corners[out], height[in], height[out]);
@@ -166,7 +167,7 @@ bool OverlapBody::cut(const HalfSpace& keep, bool of_other) {
     faces_[enters].enters = c;
     sides[left++] = {from_out ? here : kept_as[in], from_out ? kept_as[in] : here, s.left, s.right};
   }
-  for (std::size_t i = 0; i < count; ++i) corners[kept_as[i]] = corners[i];
+  for (std::size_t i = 0; i < count; ++i) corners[kept_as[i] & ~(1U << 31)] = corners[i];
   for (std::size_t c = 0; c < crossings; ++c) corners[kept + c] = corners[count + c];
   corner_count_ = kept + crossings;
   side_count_ = left;
