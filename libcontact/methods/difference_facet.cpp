@@ -70,7 +70,8 @@ Vec3d foot_on_edge(const Arc& a, double s, double square) {
 Nearest prove_edges(const DifferencePair& pair, std::uint32_t edge_a, std::uint32_t edge_b, FacetAxis& axis,
                     bool enclosed) {
   const shapes::Polyhedron &self = *pair.self, &other = *pair.other;
-  const Arc a = arc_of_self(pair, edge_a), b = arc_of_other(pair, edge_b);
+  const Arc& a = axis.a = arc_of_self(pair, edge_a);
+  const Arc& b = axis.b = arc_of_other(pair, edge_b);
   Vec3d along, n;
   double weight = 0;
   if (!arcs_cross(a, b, along, weight) || !arc_axis(a, b, along, weight, n)) return Nearest::open;
@@ -126,12 +127,16 @@ FacetAxis axis_of(const DifferencePair& pair, const DifferenceFacet& facet) {
     return {pair.self->faces[facet.a].normal,
             face_value(pair, facet.a, facet.b),
             foot_reach(pair, facet.a, pair.other_vertex(facet.b)),
+            {},
+            {},
             {}};
   if (facet.kind == DifferenceFacet::face_of_b) {
     const PolyhedronPair swapped = pair.swapped();
     return {-(pair.other_to_self * pair.other->faces[facet.b].normal),
             face_value(swapped, facet.b, facet.a),
             foot_reach(swapped, facet.b, swapped.other_vertex(facet.a)),
+            {},
+            {},
             {}};
   }
   const Arc a = arc_of_self(pair, facet.a), b = arc_of_other(pair, facet.b);
@@ -140,7 +145,8 @@ FacetAxis axis_of(const DifferencePair& pair, const DifferenceFacet& facet) {
   arcs_cross(a, b, along, weight);
   arc_axis(a, b, along, weight, n);
   const Vec3d c = cross(a.direction, b.direction);
-  return {n, pair.separation(n).value, 0, foot_on_edge(a, dot(cross(b.point - a.point, b.direction), c), dot(c, c))};
+  return {n, pair.separation(n).value, 0, foot_on_edge(a, dot(cross(b.point - a.point, b.direction), c), dot(c, c)), a,
+          b};
 }
 
 Nearest prove_nearest(const DifferencePair& pair, DifferenceFacet& facet, FacetAxis& axis, bool enclosed) {

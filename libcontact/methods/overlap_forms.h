@@ -20,7 +20,7 @@ namespace contact {
 // The first: corners[0] is the tip, the others are about n in order, which runs from the plane to the tip, `depth`
 // apart.
 struct CornerOverlap {
-  static constexpr std::uint32_t cap = 16;
+  static constexpr std::uint32_t cap = 9;  // more than nearly all tips have, for each is cleared
   Vec3d corner[cap];
   std::size_t count;
   Vec3d n;
