@@ -10,6 +10,7 @@
 #include "libcontact/kernels/extreme.h"
 #include "libcontact/kernels/lattice.h"
 #include "libcontact/kernels/pair_chunks.h"
+#include "libcontact/kernels/polygon_chunk.h"
 #include "libcontact/kernels/records.h"
 #include "libcontact/laws/law.h"
 
@@ -108,6 +109,7 @@ struct KernelSet {
   SumKernel sum_slots;
   PairKernels pairs;
   SearchKernels search;
+  PolygonSideKernel polygon_sides;
 };
 
 // The best set this processor runs; the environment variable DEM_SIMD (sse2 | avx2 | avx512) asks for another. Every

@@ -25,6 +25,9 @@ bool sphere_pairs(const SphereRow* spheres, const Index* a, const Index* b, std:
 void ellipsoid_proofs(EllipsoidChunk& chunk, std::size_t count);
 void ellipsoid_search(EllipsoidChunk& chunk, std::size_t count, bool stop_at_proof, double tolerance);
 
+std::uint32_t polygon_sides(const Motion* motion, const Lattice* lattice, PolygonChunk& chunk, std::size_t count,
+                            bool parts, LawChunk& law);
+
 const StageSet& stage_set();
 
 }  // namespace KERNEL_SET

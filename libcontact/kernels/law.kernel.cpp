@@ -80,7 +80,8 @@ const KernelSet& kernel_set() {
                              store_double,
                              sum_slots,
                              {sphere_pairs, ellipsoid_proofs, ellipsoid_search},
-                             {lowest, lowest_two, reaching}};
+                             {lowest, lowest_two, reaching},
+                             polygon_sides};
   return set;
 }
 
