@@ -11,6 +11,7 @@
 #include "libdem/contact_checks.h"
 #include "libdem/force_pass.h"
 #include "libdem/forces_compound.h"
+#include "libdem/forces_polygons.h"
 #include "libdem/meetings.h"
 #include "libdem/regions.h"
 #include "libdem/sleep.h"
@@ -24,11 +25,14 @@ namespace {
 
 class PairPass : public ForcePass {
  public:
-  using ForcePass::ForcePass;
+  PairPass(World& world, double dt) : ForcePass(world, dt), polygons_(world, dt) {}
 
   // Chunks first … last of the round pairs that have met, records of spheres with planes, or awake pairs of other bins.
   Tally answer(Bin& bin, std::size_t first, std::size_t last, Scratch& s) const {
-    if (bin.query != nullptr) return general(bin, bin.awake.data() + first, last - first, s);
+    if (bin.query != nullptr) {
+      const std::uint32_t* places = bin.awake.data() + first;
+      return polygons_.takes(bin) ? polygons(bin, places, last - first, s) : general(bin, places, last - first, s);
+    }
     Tally t;
     if (bin.round()) {
       for (; first < last; ++first) t += met_pairs(bin.met, first, s);
@@ -37,6 +41,8 @@ class PairPass : public ForcePass {
     for (; first < last; first += chunk_size) t += sphere_planes(bin, first, std::min(chunk_size, last - first), s);
     return t;
   }
+
+  bool in_lanes(const Bin& bin) const { return polygons_.takes(bin); }
 
  private:
   // A chunk of the pairs of round bodies that have met: lanes across all of them, touching or not; what those that do
@@ -228,8 +234,10 @@ class PairPass : public ForcePass {
     }
     if (bin.regions) {
       for (std::size_t i = 0; i < pairs; ++i) {
-        const std::size_t k = records[s.entry[i]];
-        answer_regions(s.a[i], s.b[i], s.offset[i], &c_.touching[k], &c_.centre[k], s.answer + i * step);
+        const std::size_t r = s.entry[i], k = records[r];
+        const double gap = answer_regions(s.a[i], s.b[i], s.offset[i], &c_.touching[k], &c_.centre[k], &c_.cache[k],
+                                          s.answer + i * step);
+        if (gap > 0) keep_apart(bin, any_region(s.answer + i * step) ? r + 1 : r, gap);
       }
     } else {
       bin.query(pairs, s.a, s.b, s.offset, wanted_, s.cache, s.answer);
@@ -305,6 +313,23 @@ class PairPass : public ForcePass {
     return out.depth > 0 || (!bin.regions && contact::overlap_depth(a, b, offset, q.normal, out));
   }
 
+  // Those that go on as they met; what is left over like any other pair.
+  Tally polygons(const Bin& bin, const std::uint32_t* places, std::size_t count, Scratch& s) const {
+    Tally t;
+    std::uint32_t rest[chunk_size];
+    const std::size_t asked = in_question(bin, places, count, s, t),
+                      left = polygons_.answer(bin, s.entry, asked, rest, s, t),
+                      size = bin.regions ? chunk_size / contact::max_regions : chunk_size;
+    for (std::size_t i = 0; i < left; i += size) {
+      Tally of_rest = general(bin, rest + i, std::min(size, left - i), s);
+      of_rest.candidates = 0;
+      t += of_rest;
+    }
+    return t;
+  }
+
+  PolygonPass polygons_;
+
   static bool over_a_patch(const Bin& bin) {
     return bin.a == shapes::Kind::polyhedron || bin.a == shapes::Kind::rounded_polyhedron ||
            bin.a == shapes::Kind::polygon;
@@ -341,7 +366,8 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 
 // Pairs of a task: as many lanes as a chunk has where kernels run across pairs, less where pairs are dear or have many
 // records.
-std::size_t task_size(const Bin& bin) {
+std::size_t task_size(const Bin& bin, const PairPass& pass) {
+  if (pass.in_lanes(bin)) return chunk_size;
   if (bin.regions) return chunk_size / contact::max_regions;
   return bin.a == shapes::Kind::ellipsoid || bin.a == shapes::Kind::ellipse ? chunk_size : chunk_size / 2;
 }
@@ -400,7 +426,7 @@ void compute_forces(World& world, int threads, double dt) {
     records = 0;
   }
   for (Bin& b : world.contacts.bins)
-    if (b.query != nullptr) add(b, b.awake.size(), task_size(b));
+    if (b.query != nullptr) add(b, b.awake.size(), task_size(b, pass));
   for (Bin& b : world.contacts.bins) {
     if (b.round()) add(b, b.met.touching.size(), 8);
     if (b.query == nullptr && b.wall) add(b, b.records.size(), 8 * chunk_size);
