@@ -74,6 +74,7 @@ struct Bin {
   contact::ChunkQuery query = nullptr;  // null: sphere–sphere and sphere–plane, which have kernels of their own
   bool wall = false;                    // b is a wall
   bool regions = false;                 // its pairs may touch in several regions
+  bool smooth = false;                  // of two ellipsoids or ellipses, by the method that lanes have
   bool exact = true;                    // answers agree with every proof of separation: no measure of a method's own
   std::vector<std::uint32_t> records;
   std::vector<std::uint32_t> a_index, b_index, pair;  // of each record: its bodies, its pair of materials; padded by 4

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libcontact/kernels/chunk.h"
+#include "libcontact/kernels/smooth.h"
 #include "libcontact/overlap_depth.h"
 #include "libcontact/overlap_volume.h"
 #include "libdem/law_map.h"
@@ -44,6 +45,7 @@ struct Scratch {
   bool gained = false;
   double gain[chunk_size] = {}, screw[chunk_size] = {};
   SphereChunk spheres;
+  contact::kernels::SmoothChunk smooth;
   contact::kernels::Lane clearance, overlap_before;
   std::uint32_t entry[chunk_size] = {};
   std::uint32_t pair[chunk_size];  // the pair of materials that each lane of `law` holds

@@ -11,6 +11,7 @@
 #include "libdem/contact_checks.h"
 #include "libdem/force_pass.h"
 #include "libdem/forces_compound.h"
+#include "libdem/forces_smooth.h"
 #include "libdem/meetings.h"
 #include "libdem/regions.h"
 #include "libdem/sleep.h"
@@ -22,14 +23,27 @@ namespace {
 // Always inline, as is what calls it: a function that only fetches has no effect, and calls of it are dropped.
 [[gnu::always_inline]] inline void fetch(const Slot& slot) { __builtin_prefetch(&slot); }
 
-class PairPass : public ForcePass {
+constexpr std::size_t smooth_pairs = 4 * chunk_size;  // of a task
+
+class PairPass : public SmoothPass {
  public:
-  using ForcePass::ForcePass;
+  using SmoothPass::SmoothPass;
 
   // Chunks first … last of the round pairs that have met, records of spheres with planes, or awake pairs of other bins.
   Tally answer(Bin& bin, std::size_t first, std::size_t last, Scratch& s) const {
-    if (bin.query != nullptr) return general(bin, bin.awake.data() + first, last - first, s);
     Tally t;
+    if (bin.query != nullptr) {
+      const std::uint32_t* places = bin.awake.data() + first;
+      std::size_t count = last - first;
+      std::uint32_t rest[smooth_pairs];
+      if (in_lanes(bin)) {
+        count = answer_smooth(bin, places, count, rest, s, t);
+        places = rest;
+      }
+      for (std::size_t i = 0; i < count; i += chunk_size)
+        t += general(bin, places + i, std::min(chunk_size, count - i), s);
+      return t;
+    }
     if (bin.round()) {
       for (; first < last; ++first) t += met_pairs(bin.met, first, s);
       return t;
@@ -343,6 +357,7 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 // records.
 std::size_t task_size(const Bin& bin) {
   if (bin.regions) return chunk_size / contact::max_regions;
+  if (bin.smooth) return smooth_pairs;
   return bin.a == shapes::Kind::ellipsoid || bin.a == shapes::Kind::ellipse ? chunk_size : chunk_size / 2;
 }
 

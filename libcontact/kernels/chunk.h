@@ -88,7 +88,8 @@ struct SumLists {
 using SumKernel = void (*)(const SumLists& lists, std::size_t first, std::size_t last, bool far, shapes::Vec3d* force,
                            shapes::Vec3d* torque);
 
-struct StageSet;  // stages.h: any law of each family
+struct StageSet;   // stages.h: any law of each family
+struct SmoothSet;  // smooth.h: contacts of ellipsoids and of ellipses
 
 struct KernelSet {
   const char* name;                                     // sse2, avx2, avx512
@@ -108,6 +109,7 @@ struct KernelSet {
   SumKernel sum_slots;
   PairKernels pairs;
   SearchKernels search;
+  const SmoothSet* smooth;
 };
 
 // The best set this processor runs; the environment variable DEM_SIMD (sse2 | avx2 | avx512) asks for another. Every

@@ -79,8 +79,9 @@ const KernelSet& kernel_set() {
                              store_slots,
                              store_double,
                              sum_slots,
-                             {sphere_pairs, ellipsoid_proofs, ellipsoid_search},
-                             {lowest, lowest_two, reaching}};
+                             {sphere_pairs, ellipsoid_proofs, ellipsoid_search, ellipse_proofs, ellipse_search},
+                             {lowest, lowest_two, reaching},
+                             &smooth_set()};
   return set;
 }
 

@@ -18,8 +18,8 @@
 // Tests: tests/libcontact/contract.cpp, polygon_pair.cpp, tests/program/contact_cases.cpp.
 #pragma once
 
-#include "libcontact/contact.h"
 #include "libcontact/export.h"
+#include "libcontact/methods/method.h"
 
 namespace contact {
 
@@ -40,6 +40,8 @@ struct CONTACT_API Planar {
                        const Options& options, Cache* cache);
   static Contact query(const Placed<shapes::Ellipse>& a, const Placed<shapes::Ellipse>& b, const Vec3d& offset,
                        const Options& options, Cache* cache);
+  static void query_chunk(KindPair<shapes::Ellipse, shapes::Ellipse>, std::size_t n, const Body* a, const Body* b,
+                          const Vec3d* offset, const Options& options, Cache* cache, Contact* out);
   static Contact query(const Placed<shapes::Ellipse>& a, const Placed<shapes::Polygon>& b, const Vec3d& offset,
                        const Options& options, Cache* cache);
   static Contact query(const Placed<shapes::Ellipse>& a, const Placed<shapes::Line>& b, const Vec3d& offset,
