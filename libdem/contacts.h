@@ -44,11 +44,13 @@ struct Gone {  // a contact that has ended, and what it lost
 
 inline constexpr std::uint32_t none = ~std::uint32_t(0);
 
-// The pairs of round bodies that have met since the list of candidates was made, in chunks: what a step looks at, in
-// the order that their histories have in memory. The arrays are filled up to whole chunks with pairs of the list.
+// Pairs that go through lanes from the bodies to the slots, in chunks: what a step looks at. Of round bodies those that
+// have met since the list of candidates was made, in the order that their histories have in memory; of smooth ones
+// those that touched when the awake were listed. The arrays are filled up to whole chunks with pairs of the list.
 struct Met {
   std::vector<std::uint32_t> record, a, b, pair, seat;
-  std::vector<std::uint32_t> touching;  // per chunk: bit i: its pair i touches
+  std::vector<std::uint32_t> place;     // in the bin; of smooth bodies
+  std::vector<std::uint32_t> touching;  // of round bodies, per chunk: bit i: its pair i touches
   std::size_t count = 0;
 
   void add(std::uint32_t k, std::uint32_t body_a, std::uint32_t body_b, std::uint32_t materials, std::uint32_t at) {
@@ -66,6 +68,11 @@ struct Met {
     pair[count] = materials;
     seat[count++] = at;
   }
+  void clear() {
+    for (auto* v : {&record, &a, &b, &pair, &seat, &place, &touching}) v->clear();
+    count = 0;
+  }
+  std::size_t chunks() const { return touching.size(); }
 };
 
 // The records of one pair of kinds, answered by one function: dispatch happens here, never per pair.
@@ -79,7 +86,7 @@ struct Bin {
   std::vector<std::uint32_t> records;
   std::vector<std::uint32_t> a_index, b_index, pair;  // of each record: its bodies, its pair of materials; padded by 4
   std::vector<std::uint32_t> awake;                   // places in `records` that a step looks at, of pairs; sleep.h
-  Met met;                                            // of pairs of round bodies; no one of them is in `awake`
+  Met met;  // of pairs of round bodies, or of smooth ones; no one of them is in `awake`
   bool round() const { return query == nullptr && !wall; }
 };
 

@@ -23,27 +23,22 @@ namespace {
 // Always inline, as is what calls it: a function that only fetches has no effect, and calls of it are dropped.
 [[gnu::always_inline]] inline void fetch(const Slot& slot) { __builtin_prefetch(&slot); }
 
-constexpr std::size_t smooth_pairs = 4 * chunk_size;  // of a task
-
 class PairPass : public SmoothPass {
  public:
   using SmoothPass::SmoothPass;
 
-  // Chunks first … last of the round pairs that have met, records of spheres with planes, or awake pairs of other bins.
-  Tally answer(Bin& bin, std::size_t first, std::size_t last, Scratch& s) const {
+  // Chunks first … last of the pairs that have met, records of spheres with planes, or awake pairs of other bins.
+  Tally answer(Bin& bin, bool met, std::size_t first, std::size_t last, Scratch& s) const {
     Tally t;
-    if (bin.query != nullptr) {
-      const std::uint32_t* places = bin.awake.data() + first;
-      std::size_t count = last - first;
-      std::uint32_t rest[smooth_pairs];
-      if (in_lanes(bin)) {
-        count = answer_smooth(bin, places, count, rest, s, t);
-        places = rest;
+    if (bin.smooth && met) {
+      for (; first < last; ++first) {
+        std::uint32_t rest[chunk_size];
+        const std::size_t left = answer_smooth(bin, first, rest, s, t);
+        if (left > 0) t += general(bin, rest, left, s);
       }
-      for (std::size_t i = 0; i < count; i += chunk_size)
-        t += general(bin, places + i, std::min(chunk_size, count - i), s);
       return t;
     }
+    if (bin.query != nullptr) return general(bin, bin.awake.data() + first, last - first, s);
     if (bin.round()) {
       for (; first < last; ++first) t += met_pairs(bin.met, first, s);
       return t;
@@ -357,7 +352,6 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 // records.
 std::size_t task_size(const Bin& bin) {
   if (bin.regions) return chunk_size / contact::max_regions;
-  if (bin.smooth) return smooth_pairs;
   return bin.a == shapes::Kind::ellipsoid || bin.a == shapes::Kind::ellipse ? chunk_size : chunk_size / 2;
 }
 
@@ -400,25 +394,26 @@ void compute_forces(World& world, int threads, double dt) {
   // Tasks of about ten microseconds, the dear ones first, so that threads end together.
   struct Task {
     Bin* bin;  // null: groups
+    bool met;
     std::size_t first, last;
   };
   std::vector<Task> tasks;
-  const auto add = [&tasks](Bin& bin, std::size_t count, std::size_t size) {
-    for (std::size_t i = 0; i < count; i += size) tasks.push_back({&bin, i, std::min(i + size, count)});
+  const auto add = [&tasks](Bin& bin, bool met, std::size_t count, std::size_t size) {
+    for (std::size_t i = 0; i < count; i += size) tasks.push_back({&bin, met, i, std::min(i + size, count)});
   };
   const std::vector<Group>& groups = world.contacts.groups;
   for (std::size_t first = 0, g = 0, records = 0; g < groups.size(); ++g) {
     records += groups[g].count;
     if (records < chunk_size && g + 1 < groups.size()) continue;
-    tasks.push_back({nullptr, first, g + 1});
+    tasks.push_back({nullptr, false, first, g + 1});
     first = g + 1;
     records = 0;
   }
   for (Bin& b : world.contacts.bins)
-    if (b.query != nullptr) add(b, b.awake.size(), task_size(b));
+    if (b.query != nullptr) add(b, false, b.awake.size(), task_size(b));
   for (Bin& b : world.contacts.bins) {
-    if (b.round()) add(b, b.met.touching.size(), 8);
-    if (b.query == nullptr && b.wall) add(b, b.records.size(), 8 * chunk_size);
+    if (b.round() || b.smooth) add(b, true, b.met.chunks(), b.smooth ? 4 : 8);
+    if (b.query == nullptr && b.wall) add(b, false, b.records.size(), 8 * chunk_size);
   }
   std::vector<Tally> total = looked;
   std::vector<Change> changed;
@@ -433,7 +428,7 @@ void compute_forces(World& world, int threads, double dt) {
       const Task& task = tasks[i];
       const auto start = timed ? std::chrono::steady_clock::now() : begin;
       Tally mine = task.bin == nullptr ? compounds.answer(task.first, task.last, scratch)
-                                       : pass.answer(*task.bin, task.first, task.last, scratch);
+                                       : pass.answer(*task.bin, task.met, task.first, task.last, scratch);
       if (timed) mine.seconds = seconds_since(start);
       scratch.tally[task.bin == nullptr ? total.size() - 1 : static_cast<std::size_t>(task.bin - bins)] += mine;
     }

@@ -12,16 +12,12 @@ class SmoothPass : public ForcePass {
   SmoothPass(World& world, double dt);
 
  protected:
-  // Whether pairs of this bin go through lanes while they touch: where a fused kernel has the law.
-  bool in_lanes(const Bin& bin) const { return bin.smooth && !staged_; }
-
-  // Of `count` pairs, given by their places in the bin, those that touched and still do. The others, into `rest`: their
-  // number is returned; nothing is known of them yet.
-  std::size_t answer_smooth(const Bin& bin, const std::uint32_t* places, std::size_t count, std::uint32_t* rest,
-                            Scratch& s, Tally& t) const;
+  // A chunk of the pairs of a smooth bin that have met: those that touched and still do. The places of the others, into
+  // `rest`, of which nothing is known yet: how many they are.
+  std::size_t answer_smooth(const Bin& bin, std::size_t chunk, std::uint32_t* rest, Scratch& s, Tally& t) const;
 
  private:
-  std::uint32_t answer_lanes(const Bin& bin, std::size_t n, Scratch& s) const;
+  void fetch_ahead(const Met& met, std::size_t first) const;
 
   contact::kernels::SmoothBodies bodies_;
 };

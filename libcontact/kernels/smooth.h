@@ -18,6 +18,7 @@ struct SmoothBodies {
   const shapes::Vec3d* inertia;      // principal, kg m²
 };
 
+// Of ellipses what lies in the plane of motion alone: of turns w and z, of inertia and spin z, of the others x and y.
 struct SmoothChunk {
   struct Body {
     Lane turn[4];  // orientation: w, x, y, z
@@ -34,7 +35,7 @@ struct SmoothMeetings {
   bool turned = false;            // a normal has turned by more than a right angle since that of its history
 };
 
-struct SmoothSet {
+struct SmoothKernels {
   // Into `pairs`, and R* and the relative velocity of the centres into `chunk`. Lists as those of GatherKernel;
   // `lattice`: null without periods.
   void (*gather)(const SmoothBodies& bodies, const Index* a, const Index* b, std::size_t count, const Lattice* lattice,
@@ -42,10 +43,12 @@ struct SmoothSet {
   // Overlap, normal, velocity, turn and effective mass of the pairs of a chunk that has its histories. `tolerance` as
   // in Options; a pair whose interval is wider counts as not solved. What is not solved or does not overlap means
   // nothing.
-  SmoothMeetings (*ellipsoids)(SmoothChunk& pairs, LawChunk& chunk, std::size_t count, double tolerance);
-  SmoothMeetings (*ellipses)(SmoothChunk& pairs, LawChunk& chunk, std::size_t count, double tolerance);
+  SmoothMeetings (*meet)(SmoothChunk& pairs, LawChunk& chunk, std::size_t count, double tolerance);
   // The couples of the forces, on a and on b.
   void (*torques)(const SmoothChunk& pairs, LawChunk& chunk, std::size_t count);
+};
+struct SmoothSet {
+  SmoothKernels ellipsoids, ellipses;
 };
 
 }  // namespace contact::kernels

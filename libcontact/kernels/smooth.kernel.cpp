@@ -19,10 +19,11 @@ using V = shapes::Vec3<Pack>;
 using std::experimental::vector_aligned;
 
 [[gnu::always_inline]] inline Row& row_at(Lane& lane, std::size_t i) { return *reinterpret_cast<Row*>(&lane.v[i]); }
+template <bool planar>
 [[gnu::always_inline]] inline void put(Lane3& v, std::size_t i, const Rows& r) {
   row_at(v.x, i) = r.a;
   row_at(v.y, i) = r.b;
-  row_at(v.z, i) = r.c;
+  if constexpr (!planar) row_at(v.z, i) = r.c;
 }
 
 // Rows that are not aligned, or short of their fourth number: z stands for it.
@@ -43,18 +44,23 @@ template <class T>
   load_row(array[index[3]], r.d);
   return r.turned();
 }
+template <bool planar>
 [[gnu::always_inline]] inline void gather_body(const SmoothBodies& bodies, const Index* index, std::size_t i,
                                                SmoothChunk::Body& out) {
   const Rows q = lanes_of(bodies.orientation, index);
   row_at(out.turn[0], i) = q.a;
-  row_at(out.turn[1], i) = q.b;
-  row_at(out.turn[2], i) = q.c;
   row_at(out.turn[3], i) = q.d;
-  put(out.size, i, lanes_of(bodies.size, index));
-  put(out.inertia, i, lanes_of(bodies.inertia, index));
+  put<planar>(out.size, i, lanes_of(bodies.size, index));
+  if constexpr (planar) {
+    for (std::size_t k = 0; k < 4; ++k) out.inertia.z[i + k] = bodies.inertia[index[k]].z;
+  } else {
+    row_at(out.turn[1], i) = q.b;
+    row_at(out.turn[2], i) = q.c;
+    put<planar>(out.inertia, i, lanes_of(bodies.inertia, index));
+  }
 }
 
-template <bool periodic>
+template <bool planar, bool periodic>
 [[gnu::always_inline]] inline void gather_pairs(const SmoothBodies& bodies, const Index* a, const Index* b,
                                                 std::size_t count, [[maybe_unused]] const Lattice* lattice,
                                                 SmoothChunk& s, LawChunk& c) {
@@ -73,25 +79,31 @@ template <bool periodic>
       v.b = v.b - g.y * d.b;
       v.c = v.c - g.z * d.c;
     }
-    put(s.offset, i, d);
-    put(c.velocity, i, v);
+    put<planar>(s.offset, i, d);
+    put<planar>(c.velocity, i, v);
     row_at(s.inverse_mass, i) = v.d;
     const Rows wa = Rows::load(motion, sizeof(Motion), a + i, 2).turned();
     const Rows wb = Rows::load(motion, sizeof(Motion), b + i, 2).turned();
-    put(s.a.spin, i, wa);
-    put(s.b.spin, i, wb);
+    if constexpr (planar) {
+      row_at(s.a.spin.z, i) = wa.c;
+      row_at(s.b.spin.z, i) = wb.c;
+    } else {
+      put<planar>(s.a.spin, i, wa);
+      put<planar>(s.b.spin, i, wb);
+    }
     row_at(c.radius_eff, i) = wa.d * wb.d / (wa.d + wb.d);
-    gather_body(bodies, a + i, i, s.a);
-    gather_body(bodies, b + i, i, s.b);
+    gather_body<planar>(bodies, a + i, i, s.a);
+    gather_body<planar>(bodies, b + i, i, s.b);
   }
 }
 
+template <bool planar>
 void gather(const SmoothBodies& bodies, const Index* a, const Index* b, std::size_t count, const Lattice* lattice,
             SmoothChunk& s, LawChunk& c) {
   if (lattice != nullptr)
-    gather_pairs<true>(bodies, a, b, count, lattice, s, c);
+    gather_pairs<planar, true>(bodies, a, b, count, lattice, s, c);
   else
-    gather_pairs<false>(bodies, a, b, count, nullptr, s, c);
+    gather_pairs<planar, false>(bodies, a, b, count, nullptr, s, c);
 }
 
 inline Pack load(const Lane& l, std::size_t i) { return Pack(&l.v[i], vector_aligned); }
@@ -119,23 +131,9 @@ inline Units units_of(const Pack& extent) {
 inline Pack magnitude(const Pack& x) { return select(x < Pack(0), -x, x); }
 
 struct Meeting {  // of one pack
-  V normal, arm_a, arm_b;
-  Pack gap;
+  V normal;
   typename Pack::mask_type overlapping;
 };
-
-// What laws take of contacts beside the history.
-[[gnu::always_inline]] inline void to_law(SmoothChunk& s, LawChunk& c, std::size_t i, const Meeting& m,
-                                          const Pack& inverse_mass) {
-  const V wa = load(s.a.spin, i), wb = load(s.b.spin, i);
-  store(c.overlap, i, -m.gap);
-  store(c.normal, i, m.normal);
-  store(c.velocity, i, load(c.velocity, i) + (cross(wa, m.arm_a) - cross(wb, m.arm_b)));
-  store(c.turn, i, Pack(0.5) * dot(wa + wb, m.normal));
-  store(c.mass_eff, i, Pack(1) / (load(s.inverse_mass, i) + inverse_mass));
-  store(s.a.arm, i, m.arm_a);
-  store(s.b.arm, i, m.arm_b);
-}
 
 // Runs `meet`, of the pairs of one pack, over a chunk.
 template <class Meet>
@@ -173,49 +171,61 @@ __attribute__((flatten)) SmoothMeetings ellipsoids(SmoothChunk& s, LawChunk& c, 
     const V d = offset * unit.down;
     const EllipsoidSearch<Pack> search({size_a * unit.down, size_b * unit.down, ra, rb, d});
     const EllipsoidAnswer<Pack> r = search.solve(start, true, tolerance);
-    const V centre = Pack(0.5) * (unit.up * r.inner_a + unit.up * (d - r.inner_b));
-    const Meeting m{r.normal, centre, centre - offset, r.gap * unit.up,
-                    r.outcome == Pack(r.solved) &&
-                        overlaps(r.gap, r.lower, r.upper, lesser(reach_a, reach_b) * unit.down, tolerance)};
+    const V& n = r.normal;
+    const V arm_a = Pack(0.5) * (unit.up * r.inner_a + unit.up * (d - r.inner_b)), arm_b = arm_a - offset;
+    const V wa = load(s.a.spin, i), wb = load(s.b.spin, i);
     const auto inverse_mass = [&](const SmoothChunk::Body& body, const Mat3<Pack>& rotation, const V& arm) {
-      const V t = transposed_times(rotation, cross(arm, m.normal)), inertia = load(body.inertia, i);
+      const V t = transposed_times(rotation, cross(arm, n)), inertia = load(body.inertia, i);
       return t.x * t.x / inertia.x + t.y * t.y / inertia.y + t.z * t.z / inertia.z;
     };
-    to_law(s, c, i, m, inverse_mass(s.a, ra, m.arm_a) + inverse_mass(s.b, rb, m.arm_b));
-    return m;
+    store(c.overlap, i, -(r.gap * unit.up));
+    store(c.normal, i, n);
+    store(c.velocity, i, load(c.velocity, i) + (cross(wa, arm_a) - cross(wb, arm_b)));
+    store(c.turn, i, Pack(0.5) * dot(wa + wb, n));
+    store(c.mass_eff, i,
+          Pack(1) / (load(s.inverse_mass, i) + (inverse_mass(s.a, ra, arm_a) + inverse_mass(s.b, rb, arm_b))));
+    store(s.a.arm, i, arm_a);
+    store(s.b.arm, i, arm_b);
+    return Meeting{n, r.outcome == Pack(r.solved) &&
+                          overlaps(r.gap, r.lower, r.upper, lesser(reach_a, reach_b) * unit.down, tolerance)};
   });
 }
 
 __attribute__((flatten)) SmoothMeetings ellipses(SmoothChunk& s, LawChunk& c, std::size_t count, double tolerance) {
+  using V2 = Flat<Pack>;
   return over_chunk(c, count, [&](std::size_t i, const V& start) {
-    const V offset = load(s.offset, i);
+    const V2 offset{load(s.offset.x, i), load(s.offset.y, i)};
     const auto body = [i](const SmoothChunk::Body& e) {  // as rotation_matrix has it
       const Pack w = load(e.turn[0], i), z = load(e.turn[3], i), z2 = z + z;
       return FlatEllipse<Pack>{load(e.size.x, i), load(e.size.y, i), Pack(1) - z * z2, w * z2};
     };
     FlatEllipse<Pack> a = body(s.a), b = body(s.b);
-    const Pack reach_a = larger(a.a, a.b), reach_b = larger(b.a, b.b);
+    const Pack reach_a = larger(a.a, a.b), reach_b = larger(b.a, b.b), zero(0);
     const Units unit = units_of(larger(magnitude(offset.x), magnitude(offset.y)) + (reach_a + reach_b));
     for (FlatEllipse<Pack>* e : {&a, &b}) {
       e->a *= unit.down;
       e->b *= unit.down;
     }
-    const Flat<Pack> d{offset.x * unit.down, offset.y * unit.down};
+    const V2 d = unit.down * offset;
     const EllipseAnswer<Pack> r = EllipseSearch<Pack>(a, b, d).solve({start.x, start.y}, tolerance);
-    const Flat<Pack> centre = Pack(0.5) * (unit.up * r.inner_a + unit.up * (d - r.inner_b));
-    const Pack zero(0);
-    const Meeting m{
-        {r.normal.x, r.normal.y, zero},
-        {centre.x, centre.y, zero},
-        {centre.x - offset.x, centre.y - offset.y, zero},
-        r.gap * unit.up,
-        r.solved > zero && overlaps(r.gap, r.lower, r.upper, lesser(reach_a, reach_b) * unit.down, tolerance)};
-    const auto inverse_mass = [&](const SmoothChunk::Body& e, const V& arm) {
-      const Pack t = arm.x * m.normal.y - arm.y * m.normal.x;
+    const V2& n = r.normal;
+    const V2 arm_a = Pack(0.5) * (unit.up * r.inner_a + unit.up * (d - r.inner_b)), arm_b = arm_a - offset;
+    const Pack wa = load(s.a.spin.z, i), wb = load(s.b.spin.z, i);
+    const V2 slip = wa * arm_a.turned() - wb * arm_b.turned();
+    const auto inverse_mass = [&](const SmoothChunk::Body& e, const V2& arm) {
+      const Pack t = arm.x * n.y - arm.y * n.x;
       return t * t / load(e.inertia.z, i);
     };
-    to_law(s, c, i, m, inverse_mass(s.a, m.arm_a) + inverse_mass(s.b, m.arm_b));
-    return m;
+    const V normal{n.x, n.y, zero};
+    store(c.overlap, i, -(r.gap * unit.up));
+    store(c.normal, i, normal);
+    store(c.velocity, i, {load(c.velocity.x, i) + slip.x, load(c.velocity.y, i) + slip.y, zero});
+    store(c.turn, i, zero);
+    store(c.mass_eff, i, Pack(1) / (load(s.inverse_mass, i) + (inverse_mass(s.a, arm_a) + inverse_mass(s.b, arm_b))));
+    store(s.a.arm, i, {arm_a.x, arm_a.y, zero});
+    store(s.b.arm, i, {arm_b.x, arm_b.y, zero});
+    return Meeting{
+        normal, r.solved > zero && overlaps(r.gap, r.lower, r.upper, lesser(reach_a, reach_b) * unit.down, tolerance)};
   });
 }
 
@@ -226,11 +236,19 @@ void torques(const SmoothChunk& s, LawChunk& c, std::size_t count) {
     store(c.couple_b, i, cross(f, load(s.b.arm, i)));
   }
 }
+void planar_torques(const SmoothChunk& s, LawChunk& c, std::size_t count) {
+  const Pack zero(0);
+  for (std::size_t i = 0; i < count; i += Pack::size()) {
+    const Pack x = load(c.force.x, i), y = load(c.force.y, i);
+    store(c.couple, i, {zero, zero, load(s.a.arm.x, i) * y - load(s.a.arm.y, i) * x});
+    store(c.couple_b, i, {zero, zero, x * load(s.b.arm.y, i) - y * load(s.b.arm.x, i)});
+  }
+}
 
 }  // namespace
 
 const SmoothSet& smooth_set() {
-  static const SmoothSet set{gather, ellipsoids, ellipses, torques};
+  static const SmoothSet set{{gather<false>, ellipsoids, torques}, {gather<true>, ellipses, planar_torques}};
   return set;
 }
 

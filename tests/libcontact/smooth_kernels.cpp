@@ -114,15 +114,16 @@ TEST(SmoothKernels, answer_as_the_query_and_move_as_rigid_bodies) {
             law.history_normal.y[i] = n.y;
             law.history_normal.z[i] = n.z;
           }
-          set->smooth->gather(bodies.arrays(), a, b, chunk_size, nullptr, chunk, law);
-          const auto meet = kind == Kind::ellipse ? set->smooth->ellipses : set->smooth->ellipsoids;
-          const kernels::SmoothMeetings now = meet(chunk, law, chunk_size, 0);
+          const kernels::SmoothKernels& smooth =
+              kind == Kind::ellipse ? set->smooth->ellipses : set->smooth->ellipsoids;
+          smooth.gather(bodies.arrays(), a, b, chunk_size, nullptr, chunk, law);
+          const kernels::SmoothMeetings now = smooth.meet(chunk, law, chunk_size, 0);
           for (std::size_t i = 0; i < chunk_size; ++i) {
             law.force.x[i] = 1 + static_cast<double>(i);
             law.force.y[i] = 2;
             law.force.z[i] = kind == Kind::ellipse ? 0 : -3;
           }
-          set->smooth->torques(chunk, law, chunk_size);
+          smooth.torques(chunk, law, chunk_size);
           for (std::size_t i = 0; i < chunk_size; ++i) {
             const Vec3d d = bodies.motion[b[i]].position - bodies.motion[a[i]].position;
             const Contact c = query(bodies.body(kind, a[i]), bodies.body(kind, b[i]), d);
