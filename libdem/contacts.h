@@ -119,7 +119,7 @@ struct Contacts {
   std::vector<contact::Ledger> ledger;  // empty without law.ledger
   std::vector<Gone> gone;               // that a rebuild found out of reach, until the books are made up
   std::vector<std::uint8_t> touching;
-  std::vector<Vec3d> centre;          // of the contact, relative to a's centre, m; empty when all are spheres
+  std::vector<Vec3d> centre;          // relative to a's centre, m; zero: midway; empty when all are spheres
   std::vector<contact::Cache> cache;  // likewise
   // A pair that was found apart by a proven gap needs no query before its bodies have moved by that much; see
   // coherence.h. Both are empty when all are spheres and in cells that deform.

@@ -35,6 +35,7 @@ class PairPass : public SmoothPass {
         std::uint32_t rest[chunk_size];
         const std::size_t left = answer_smooth(bin, first, rest, s, t);
         if (left > 0) t += general(bin, rest, left, s);
+        for (std::size_t i = 0; i < left; ++i) c_.centre[bin.records[rest[i]]] = {};  // lanes do not keep it
       }
       return t;
     }

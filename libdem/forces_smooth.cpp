@@ -7,10 +7,11 @@ namespace dem {
 SmoothPass::SmoothPass(World& world, double dt)
     : ForcePass(world, dt), bodies_{p_.motion.data(), p_.orientation.data(), p_.size.data(), p_.inertia.data()} {}
 
-// What the chunk from `first` on reads and writes.
-void SmoothPass::fetch_ahead(const Met& met, std::size_t first) const {
-  const std::size_t last = std::min(first + chunk_size, met.count);
-  for (std::size_t i = first; i < last; ++i) {
+// A quarter of what the chunk from `first` on reads and writes: all at once would wait for one another.
+void SmoothPass::fetch_ahead(const Met& met, std::size_t first, std::size_t quarter) const {
+  constexpr std::size_t step = chunk_size / 4;
+  const std::size_t last = std::min(first + (quarter + 1) * step, met.count);
+  for (std::size_t i = first + quarter * step; i < last; ++i) {
     const std::uint32_t b = met.b[i];
     __builtin_prefetch(&p_.motion[b]);
     __builtin_prefetch(&p_.motion[b].spin);
@@ -21,7 +22,6 @@ void SmoothPass::fetch_ahead(const Met& met, std::size_t first) const {
     __builtin_prefetch(&c_.history[met.seat[i]], 1);
     __builtin_prefetch(slot, 1);
     __builtin_prefetch(slot + 1, 1);
-    __builtin_prefetch(&c_.centre[met.record[i]], 1);
   }
 }
 
@@ -34,7 +34,6 @@ std::size_t SmoothPass::answer_smooth(const Bin& bin, std::size_t chunk, std::ui
   contact::kernels::SmoothChunk& pairs = s.smooth;
   const contact::kernels::SmoothKernels& smooth =
       bin.a == shapes::Kind::ellipse ? set_.smooth->ellipses : set_.smooth->ellipsoids;
-  fetch_ahead(met, first + chunk_size);
   std::uint32_t good = 0;  // bit i: lane i touched
   for (std::size_t i = 0; i < n; ++i) {
     good |= static_cast<std::uint32_t>(c_.touching[record[i]]) << i;
@@ -42,21 +41,21 @@ std::size_t SmoothPass::answer_smooth(const Bin& bin, std::size_t chunk, std::ui
   }
   set_.load_history(c_.history.data(), seat, n, l);
   smooth.gather(bodies_, a, b, n, lattice_, pairs, l);
+  fetch_ahead(met, first + chunk_size, 0);
   const contact::kernels::SmoothMeetings now = smooth.meet(pairs, l, n, wanted_.tolerance);
   good &= now.overlapping;
   if (now.turned)
     for (std::size_t i = 0; i < n; ++i)
       if ((good >> i & 1) != 0 && dot(get(l.history_normal, i), get(l.normal, i)) < -0.9)
         s.through.push_back(record[i]);
+  fetch_ahead(met, first + chunk_size, 1);
   run_law(n, false, s);
+  fetch_ahead(met, first + chunk_size, 2);
   smooth.torques(pairs, l, n);
   std::size_t left = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    if ((good >> i & 1) != 0) {
-      c_.centre[record[i]] = get(pairs.a.arm, i);
-      continue;
-    }
-    // As it was, without force.
+  const std::uint32_t all = n < chunk_size ? (std::uint32_t(1) << n) - 1 : ~std::uint32_t(0);
+  for (std::uint32_t bad = all & ~good; bad != 0; bad &= bad - 1) {  // as they were, without force
+    const auto i = static_cast<std::size_t>(std::countr_zero(bad));
     const contact::History& h = c_.history[seat[i]];
     put(l.history_force, i, h.force_t);
     put(l.history_normal, i, h.normal);
@@ -65,6 +64,7 @@ std::size_t SmoothPass::answer_smooth(const Bin& bin, std::size_t chunk, std::ui
     for (Lane3* lane : {&l.force, &l.couple, &l.couple_b}) put(*lane, i, {});
     rest[left++] = met.place[first + i];
   }
+  fetch_ahead(met, first + chunk_size, 3);
   store_double(seat, n, s);
   t.candidates += n - left;
   t.touching += n - left;

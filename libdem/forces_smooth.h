@@ -17,7 +17,7 @@ class SmoothPass : public ForcePass {
   std::size_t answer_smooth(const Bin& bin, std::size_t chunk, std::uint32_t* rest, Scratch& s, Tally& t) const;
 
  private:
-  void fetch_ahead(const Met& met, std::size_t first) const;
+  void fetch_ahead(const Met& met, std::size_t first, std::size_t quarter) const;
 
   contact::kernels::SmoothBodies bodies_;
 };

@@ -40,12 +40,13 @@ std::vector<std::uint32_t> overlapping(const World& world, const Bin& bin, int t
 }
 
 // Of the awake pairs of smooth bodies those that touch: from now on in lanes, whenever the awake were listed.
-void meet_smooth(const Contacts& c, Bin& bin) {
+void meet_smooth(Contacts& c, Bin& bin) {
   std::erase_if(bin.awake, [&](std::uint32_t place) {
     const std::uint32_t k = bin.records[place];
     if (c.touching[k] == 0) return false;
     bin.met.add(k, bin.a_index[place], bin.b_index[place], bin.pair[place], c.seat[k]);
     bin.met.place.push_back(place);
+    c.centre[k] = {};  // as lanes leave it
     return true;
   });
 }
