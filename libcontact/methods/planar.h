@@ -15,7 +15,7 @@
 // along which it was apart, or the side that answered (polygon_pair.h). Cost: ellipses 0.16 us, in chunks 0.05 us with
 // AVX-512, 0.07 us AVX2; octagons 0.29 us, 0.17 us from the cache, disc or ellipse and octagon 0.2–0.3 us; apart along
 // a cached axis 0.03–0.06 us. Accuracy: 32 eps L, certified; two ellipses that overlap by more than m: best of 18
-// starts, not certified. Tests: tests/libcontact/contract.cpp, ellipse_kernels.cpp, tests/program/contact_cases.cpp.
+// starts, not certified. Tests: tests/libcontact/contract, ellipse_kernels, polygon_pair; tests/program/contact_cases.
 #pragma once
 
 #include "libcontact/export.h"
