@@ -19,6 +19,8 @@ class SmoothPass : public ForcePass {
  private:
   void fetch_ahead(const Met& met, std::size_t first, std::size_t quarter) const;
 
+  std::uint32_t prepare_stages(const std::uint32_t* record, std::size_t n, std::uint32_t good, Scratch& s) const;
+
   contact::kernels::SmoothBodies bodies_;
 };
 

@@ -36,16 +36,16 @@ struct SmoothMeetings {
 };
 
 struct SmoothKernels {
-  // Into `pairs`, and R* and the relative velocity of the centres into `chunk`. Lists as those of GatherKernel;
-  // `lattice`: null without periods.
+  // Into `pairs`; R*, the relative velocity of the centres and the relative spin into `chunk`. Lists as those of
+  // GatherKernel; `lattice`: null without periods.
   void (*gather)(const SmoothBodies& bodies, const Index* a, const Index* b, std::size_t count, const Lattice* lattice,
                  SmoothChunk& pairs, LawChunk& chunk);
   // Overlap, normal, velocity, turn and effective mass of the pairs of a chunk that has its histories. `tolerance` as
   // in Options; a pair whose interval is wider counts as not solved. What is not solved or does not overlap means
   // nothing.
   SmoothMeetings (*meet)(SmoothChunk& pairs, LawChunk& chunk, std::size_t count, double tolerance);
-  // The couples of the forces, on a and on b.
-  void (*torques)(const SmoothChunk& pairs, LawChunk& chunk, std::size_t count);
+  // The couples of the forces, on a and on b; `moment`: with the couple on a that the law gave.
+  void (*torques)(const SmoothChunk& pairs, LawChunk& chunk, std::size_t count, bool moment);
 };
 struct SmoothSet {
   SmoothKernels ellipsoids, ellipses;

@@ -85,11 +85,14 @@ template <bool planar, bool periodic>
     const Rows wa = Rows::load(motion, sizeof(Motion), a + i, 2).turned();
     const Rows wb = Rows::load(motion, sizeof(Motion), b + i, 2).turned();
     if constexpr (planar) {
+      const Row zero{};
       row_at(s.a.spin.z, i) = wa.c;
       row_at(s.b.spin.z, i) = wb.c;
+      put<false>(c.relative_spin, i, {zero, zero, wa.c - wb.c, zero});
     } else {
-      put<planar>(s.a.spin, i, wa);
-      put<planar>(s.b.spin, i, wb);
+      put<false>(s.a.spin, i, wa);
+      put<false>(s.b.spin, i, wb);
+      put<false>(c.relative_spin, i, {wa.a - wb.a, wa.b - wb.b, wa.c - wb.c, wa.d});
     }
     row_at(c.radius_eff, i) = wa.d * wb.d / (wa.d + wb.d);
     gather_body<planar>(bodies, a + i, i, s.a);
@@ -229,19 +232,31 @@ __attribute__((flatten)) SmoothMeetings ellipses(SmoothChunk& s, LawChunk& c, st
   });
 }
 
-void torques(const SmoothChunk& s, LawChunk& c, std::size_t count) {
+void torques(const SmoothChunk& s, LawChunk& c, std::size_t count, bool moment) {
   for (std::size_t i = 0; i < count; i += Pack::size()) {
     const V f = load(c.force, i);
-    store(c.couple, i, cross(load(s.a.arm, i), f));
-    store(c.couple_b, i, cross(f, load(s.b.arm, i)));
+    V on_a = cross(load(s.a.arm, i), f), on_b = cross(f, load(s.b.arm, i));
+    if (moment) {
+      const V couple = load(c.couple, i);
+      on_a += couple;
+      on_b -= couple;
+    }
+    store(c.couple, i, on_a);
+    store(c.couple_b, i, on_b);
   }
 }
-void planar_torques(const SmoothChunk& s, LawChunk& c, std::size_t count) {
+void planar_torques(const SmoothChunk& s, LawChunk& c, std::size_t count, bool moment) {
   const Pack zero(0);
   for (std::size_t i = 0; i < count; i += Pack::size()) {
     const Pack x = load(c.force.x, i), y = load(c.force.y, i);
-    store(c.couple, i, {zero, zero, load(s.a.arm.x, i) * y - load(s.a.arm.y, i) * x});
-    store(c.couple_b, i, {zero, zero, x * load(s.b.arm.y, i) - y * load(s.b.arm.x, i)});
+    Pack on_a = load(s.a.arm.x, i) * y - load(s.a.arm.y, i) * x, on_b = x * load(s.b.arm.y, i) - y * load(s.b.arm.x, i);
+    if (moment) {
+      const Pack couple = load(c.couple.z, i);
+      on_a += couple;
+      on_b -= couple;
+    }
+    store(c.couple, i, {zero, zero, on_a});
+    store(c.couple_b, i, {zero, zero, on_b});
   }
 }
 
