@@ -35,7 +35,8 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 
 // Pairs of a task: as many lanes as a chunk has where kernels run across pairs, less where pairs are dear or have many
 // records.
-std::size_t task_size(const Bin& bin) {
+std::size_t task_size(const Bin& bin, const PairAnswers& pairs) {
+  if (pairs.in_lanes(bin)) return chunk_size;
   if (bin.regions) return chunk_size / contact::max_regions;
   return bin.a == shapes::Kind::ellipsoid || bin.a == shapes::Kind::ellipse ? chunk_size : chunk_size / 2;
 }
@@ -117,7 +118,7 @@ class ContactStep {
                                    [&](std::uint32_t block, std::size_t chunk) { return plan.last[block] < chunk; });
       for (std::size_t first = range.first; first < range.last; first += chunks_at_once) {
         const std::size_t last = std::min(first + chunks_at_once, range.last);
-        answer({bin, first, last}, s);
+        answer({bin, true, first, last}, s);
         const auto begin = Clock::now();
         for (; next != plan.order.end() && plan.last[*next] < last; ++next) {
           if (next + 1 != plan.order.end()) bodies.fetch(next[1]);
@@ -148,6 +149,7 @@ class ContactStep {
   using Clock = std::chrono::steady_clock;
   struct Task {
     Bin* bin;  // null: groups
+    bool met;  // chunks of the pairs that have met
     std::size_t first, last;
   };
 
@@ -157,19 +159,20 @@ class ContactStep {
     for (std::size_t first = 0, g = 0, records = 0; g < c.groups.size(); ++g) {
       records += c.groups[g].count;
       if (records < chunk_size && g + 1 < c.groups.size()) continue;
-      tasks_.push_back({nullptr, first, g + 1});
+      tasks_.push_back({nullptr, false, first, g + 1});
       first = g + 1;
       records = 0;
     }
-    const auto add = [this](Bin& bin, std::size_t first, std::size_t last, std::size_t size) {
-      for (; first < last; first += size) tasks_.push_back({&bin, first, std::min(first + size, last)});
+    const auto add = [this](Bin& bin, bool met, std::size_t first, std::size_t last, std::size_t size) {
+      for (; first < last; first += size) tasks_.push_back({&bin, met, first, std::min(first + size, last)});
     };
     for (Bin& b : c.bins)
-      if (b.query != nullptr) add(b, 0, b.awake.size(), task_size(b));
+      if (b.query != nullptr) add(b, false, 0, b.awake.size(), task_size(b, pairs_));
     for (std::size_t i = 0; i < c.bins.size(); ++i) {
       Bin& b = c.bins[i];
-      if (b.round()) add(b, i == c.sweep.bin ? c.sweep.chunks : 0, b.met.touching.size(), chunks_at_once);
-      if (b.query == nullptr && b.wall) add(b, 0, b.records.size(), 8 * chunk_size);
+      if (b.smooth) add(b, true, 0, b.met.chunks(), 4);
+      if (b.round()) add(b, true, i == c.sweep.bin ? c.sweep.chunks : 0, b.met.chunks(), chunks_at_once);
+      if (b.query == nullptr && b.wall) add(b, false, 0, b.records.size(), 8 * chunk_size);
     }
   }
 
@@ -186,7 +189,7 @@ class ContactStep {
   void answer(const Task& task, Scratch& s) const {
     const auto start = timed_ ? Clock::now() : Clock::time_point{};
     Tally mine = task.bin == nullptr ? compounds_.answer(task.first, task.last, s)
-                                     : pairs_.answer(*task.bin, task.first, task.last, s);
+                                     : pairs_.answer(*task.bin, task.met, task.first, task.last, s);
     if (timed_) mine.seconds = seconds_since(start);
     const Bin* bins = world_.contacts.bins.data();
     s.tally[task.bin == nullptr ? s.tally.size() - 1 : static_cast<std::size_t>(task.bin - bins)] += mine;

@@ -44,11 +44,13 @@ struct Gone {  // a contact that has ended, and what it lost
 
 inline constexpr std::uint32_t none = ~std::uint32_t(0);
 
-// The pairs of round bodies that have met since the list of candidates was made, in chunks: what a step looks at, in
-// the order that their histories have in memory. The arrays are filled up to whole chunks with pairs of the list.
+// Pairs that go through lanes from the bodies to the slots, in chunks: what a step looks at. Of round bodies those that
+// have met since the list of candidates was made, in the order that their histories have in memory; of smooth ones
+// those that touched when the awake were listed. The arrays are filled up to whole chunks with pairs of the list.
 struct Met {
   std::vector<std::uint32_t> record, a, b, pair, seat;
-  std::vector<std::uint32_t> touching;  // per chunk: bit i: its pair i touches
+  std::vector<std::uint32_t> place;     // in the bin; of smooth bodies
+  std::vector<std::uint32_t> touching;  // of round bodies, per chunk: bit i: its pair i touches
   std::size_t count = 0;
   std::uint32_t pair_everywhere = none;  // of materials, where it is one only
 
@@ -68,6 +70,11 @@ struct Met {
     pair[count] = materials;
     seat[count++] = at;
   }
+  void clear() {
+    for (auto* v : {&record, &a, &b, &pair, &seat, &place, &touching}) v->clear();
+    count = 0;
+  }
+  std::size_t chunks() const { return touching.size(); }
 };
 
 // The records of one pair of kinds, answered by one function: dispatch happens here, never per pair.
@@ -76,11 +83,12 @@ struct Bin {
   contact::ChunkQuery query = nullptr;  // null: sphere–sphere and sphere–plane, which have kernels of their own
   bool wall = false;                    // b is a wall
   bool regions = false;                 // its pairs may touch in several regions
+  bool smooth = false;                  // of two ellipsoids or ellipses, by the method that lanes have
   bool exact = true;                    // answers agree with every proof of separation: no measure of a method's own
   std::vector<std::uint32_t> records;
   std::vector<std::uint32_t> a_index, b_index, pair;  // of each record: its bodies, its pair of materials; padded by 4
   std::vector<std::uint32_t> awake;                   // places in `records` that a step looks at, of pairs; sleep.h
-  Met met;                                            // of pairs of round bodies; no one of them is in `awake`
+  Met met;  // of pairs of round bodies, or of smooth ones; no one of them is in `awake`
   bool round() const { return query == nullptr && !wall; }
 };
 
@@ -122,7 +130,7 @@ struct Contacts {
   std::vector<contact::Ledger> ledger;  // empty without law.ledger
   std::vector<Gone> gone;               // that a rebuild found out of reach, until the books are made up
   std::vector<std::uint8_t> touching;
-  std::vector<Vec3d> centre;          // of the contact, relative to a's centre, m; empty when all are spheres
+  std::vector<Vec3d> centre;          // relative to a's centre, m; zero: midway; empty when all are spheres
   std::vector<contact::Cache> cache;  // likewise
   // A pair that was found apart by a proven gap needs no query before its bodies have moved by that much; see
   // coherence.h. Both are empty when all are spheres and in cells that deform.

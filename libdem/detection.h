@@ -27,6 +27,13 @@ inline bool closed_form(shapes::Kind a, shapes::Kind b, const Scene& scene) {
   return is_round(a) && (is_round(b) || is_half_space(b)) && choose(a, b, scene)->exact;
 }
 
+// Two ellipsoids or two ellipses by the exact method: while they touch they go through kernels of their own, which
+// begin at the normal of the step before, in an answer within the interval of that method.
+inline bool is_smooth(shapes::Kind a, shapes::Kind b, const Scene& scene) {
+  return a == b && (a == shapes::Kind::ellipsoid || a == shapes::Kind::ellipse) &&
+         choose(a, b, scene) == contact::choose(a, b);
+}
+
 // Do the answers agree with every proof of separation? Not what an approximate method measures.
 inline bool agrees_with_proofs(shapes::Kind a, shapes::Kind b, const Scene& scene) {
   return scene.method == "auto" || choose(a, b, scene)->exact;

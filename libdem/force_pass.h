@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libcontact/kernels/chunk.h"
+#include "libcontact/kernels/smooth.h"
 #include "libcontact/overlap_depth.h"
 #include "libcontact/overlap_volume.h"
 #include "libdem/integrators/bodies.h"
@@ -45,6 +46,7 @@ struct Scratch {
   bool gained = false;
   double gain[chunk_size] = {}, screw[chunk_size] = {};
   SphereChunk spheres;
+  contact::kernels::SmoothChunk smooth;
   contact::kernels::Lane clearance, overlap_before;
   std::uint32_t entry[chunk_size] = {};
   std::uint32_t pair[chunk_size];  // the pair of materials that each lane of `law` holds
@@ -72,6 +74,8 @@ class ForcePass {
     by_volume_ = map_ == LawMap::volume;
     by_depth_ = wanted_.measure = measures_depth(world);
     by_area_ = measures_area(world);
+    for (const ShapeEntry& e : world.shapes)
+      if (e.kind == shapes::Kind::polyhedron) thinnest_ = std::min(thinnest_, e.inscribed_radius / e.circumradius);
     lattice_ = world.cell.periodic ? &world.cell.lattice : nullptr;
     for (const Wall& w : world.walls) {
       contact::Body b;
@@ -353,6 +357,7 @@ class ForcePass {
   bool staged_ = false, lingers_ = false;
   bool far_ = false;  // histories are too many for the caches near the core: data is fetched ahead
   bool by_volume_ = false, by_depth_ = false, by_area_ = false;
+  double thinnest_ = 1;                        // least inscribed over circumradius of the polyhedra
   LawMap map_ = LawMap::automatic;             // where records keep a word of it
   const contact::Lattice* lattice_ = nullptr;  // null: bodies have no images
   std::vector<WallFrame> walls_;

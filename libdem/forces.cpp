@@ -8,6 +8,8 @@
 #include "libdem/build.h"
 #include "libdem/coherence.h"
 #include "libdem/force_pass.h"
+#include "libdem/forces_polygons.h"
+#include "libdem/forces_smooth.h"
 #include "libdem/regions.h"
 #include "libdem/sleep.h"
 
@@ -17,14 +19,26 @@ namespace {
 // Always inline, as is what calls it: a function that only fetches has no effect, and calls of it are dropped.
 [[gnu::always_inline]] inline void fetch(const Slot& slot) { __builtin_prefetch(&slot); }
 
-class PairPass : public ForcePass {
+class PairPass : public SmoothPass {
  public:
-  using ForcePass::ForcePass;
+  PairPass(World& world, double dt) : SmoothPass(world, dt), polygons_(world, dt) {}
 
-  // Chunks first … last of the round pairs that have met, records of spheres with planes, or awake pairs of other bins.
-  Tally answer(Bin& bin, std::size_t first, std::size_t last, Scratch& s) const {
-    if (bin.query != nullptr) return general(bin, bin.awake.data() + first, last - first, s);
+  // Chunks first … last of the pairs that have met, records of spheres with planes, or awake pairs of other bins.
+  Tally answer(Bin& bin, bool met, std::size_t first, std::size_t last, Scratch& s) const {
     Tally t;
+    if (bin.smooth && met) {
+      for (; first < last; ++first) {
+        std::uint32_t rest[chunk_size];
+        const std::size_t left = answer_smooth(bin, first, rest, s, t);
+        if (left > 0) t += general(bin, rest, left, s);
+        for (std::size_t i = 0; i < left; ++i) c_.centre[bin.records[rest[i]]] = {};  // lanes do not keep it
+      }
+      return t;
+    }
+    if (bin.query != nullptr) {
+      const std::uint32_t* places = bin.awake.data() + first;
+      return polygons_.takes(bin) ? polygons(bin, places, last - first, s) : general(bin, places, last - first, s);
+    }
     if (bin.round()) {
       for (; first < last; ++first) t += met_pairs(bin.met, first, s);
       return t;
@@ -35,6 +49,8 @@ class PairPass : public ForcePass {
     }
     return t;
   }
+
+  bool in_lanes(const Bin& bin) const { return polygons_.takes(bin); }
 
  private:
   // A chunk of the pairs of round bodies that have met: lanes across all of them, touching or not; what those that do
@@ -235,6 +251,7 @@ class PairPass : public ForcePass {
       const std::size_t r = places[i], k = records[r];
       if (!c_.travel.empty() && travels(world_, bin, r) < c_.apart_until[k] && !may_hold(k)) continue;
       prefetch(k);
+      if (!bin.wall) prefetch_body(b[r]);
       s.entry[asked] = static_cast<std::uint32_t>(r);
       s.index_a[asked] = a[r];
       s.index_b[asked++] = bin.wall ? a[r] : b[r];  // a wall has no bounding sphere
@@ -294,8 +311,10 @@ class PairPass : public ForcePass {
     }
     if (bin.regions) {
       for (std::size_t i = 0; i < pairs; ++i) {
-        const std::size_t k = records[s.entry[i]];
-        answer_regions(s.a[i], s.b[i], s.offset[i], &c_.touching[k], &c_.centre[k], s.answer + i * step);
+        const std::size_t r = s.entry[i], k = records[r];
+        const double gap = answer_regions(s.a[i], s.b[i], s.offset[i], &c_.touching[k], &c_.centre[k], &c_.cache[k],
+                                          s.answer + i * step);
+        if (gap > 0) keep_apart(bin, any_region(s.answer + i * step) ? r + 1 : r, gap);
       }
     } else {
       bin.query(pairs, s.a, s.b, s.offset, wanted_, s.cache, s.answer);
@@ -321,8 +340,9 @@ class PairPass : public ForcePass {
       if (by_volume_ && !measure(k, s.a[i], s.b[i], s.offset[i], q, v, t, s)) continue;
       load_pair(n, bin.pair[r], s);
       const std::uint32_t ia = bin.a_index[r], ib = bin.b_index[r];
-      const contact::Patch patch =
-          apart ? across_gap(bin.query, over_a_patch(bin), k, s.a[i], s.b[i], s.offset[i], q) : q.patch;
+      contact::Patch across;
+      if (apart) across = across_gap(bin.query, over_a_patch(bin), k, s.a[i], s.b[i], s.offset[i], q);
+      const contact::Patch& patch = apart ? across : q.patch;
       contact::OverlapDepth d;  // by default what the query says
       if (by_volume_)
         d = {-q.gap, 1, v.normal, v.point, 0};
@@ -353,13 +373,25 @@ class PairPass : public ForcePass {
     fetch(c_.slot[c_.slot_of_b(k)]);
   }
 
+  // What is read of body b of a pair in question; those of its body a are as a rule at hand from the pair before.
+  [[gnu::always_inline]] void prefetch_body(std::size_t i) const {
+    __builtin_prefetch(&p_.motion[i]);
+    __builtin_prefetch(&p_.motion[i].spin);
+    __builtin_prefetch(&p_.orientation[i]);
+    __builtin_prefetch(&p_.size[i]);
+    __builtin_prefetch(&p_.inertia[i]);
+  }
+
   // Beyond each other's middle. Sharp edges turn a normal by more than a right angle, regions change places; the slope
   // of the overlap's depth turns round slowly.
   bool passes(const Bin& bin, std::size_t k, const contact::Contact& q) const {
     if (bin.regions) return false;
     if (dot(c_.history_of(k).normal, q.normal) < -0.9) return true;
     if (!by_depth_ || bin.a != shapes::Kind::polyhedron || bin.b != shapes::Kind::polyhedron) return false;
-    return -q.gap > 0.9 * (inscribed_radius(world_, c_.index_a[k]) + inscribed_radius(world_, c_.index_b[k]));
+    const std::uint32_t a = c_.index_a[k], b = c_.index_b[k];
+    const double reach = p_.motion[a].bounding_radius + p_.motion[b].bounding_radius;
+    if (!(-q.gap > 0.89 * thinnest_ * reach)) return false;  // nearly all
+    return -q.gap > 0.9 * (inscribed_radius(world_, a) + inscribed_radius(world_, b));
   }
 
   // The overlap of flat faces as the potential of overlap_depth.h has it. False: of round bodies, of a method's own
@@ -370,6 +402,23 @@ class PairPass : public ForcePass {
     out = q.measure;
     return out.depth > 0 || (!bin.regions && contact::overlap_depth(a, b, offset, q.normal, out));
   }
+
+  // Those that go on as they met; what is left over like any other pair.
+  Tally polygons(const Bin& bin, const std::uint32_t* places, std::size_t count, Scratch& s) const {
+    Tally t;
+    std::uint32_t rest[chunk_size];
+    const std::size_t asked = in_question(bin, places, count, s, t),
+                      left = polygons_.answer(bin, s.entry, asked, rest, s, t),
+                      size = bin.regions ? chunk_size / contact::max_regions : chunk_size;
+    for (std::size_t i = 0; i < left; i += size) {
+      Tally of_rest = general(bin, rest + i, std::min(size, left - i), s);
+      of_rest.candidates = 0;
+      t += of_rest;
+    }
+    return t;
+  }
+
+  PolygonPass polygons_;
 
   static bool over_a_patch(const Bin& bin) {
     return bin.a == shapes::Kind::polyhedron || bin.a == shapes::Kind::rounded_polyhedron ||
@@ -384,8 +433,11 @@ struct PairAnswers::Pass : PairPass {
 };
 PairAnswers::PairAnswers(World& world, double dt) : pass_(std::make_unique<const Pass>(world, dt)) {}
 PairAnswers::~PairAnswers() = default;
-Tally PairAnswers::answer(Bin& bin, std::size_t first, std::size_t last, Scratch& s) const {
-  return pass_->answer(bin, first, last, s);
+Tally PairAnswers::answer(Bin& bin, bool met, std::size_t first, std::size_t last, Scratch& s) const {
+  return pass_->answer(bin, met, first, last, s);
+}
+bool PairAnswers::in_lanes(const Bin& bin) const {
+  return pass_->in_lanes(bin);
 }
 
 }  // namespace dem

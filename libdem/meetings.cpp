@@ -39,6 +39,18 @@ std::vector<std::uint32_t> overlapping(const World& world, const Bin& bin, int t
   return found;
 }
 
+// Of the awake pairs of smooth bodies those that touch: from now on in lanes, whenever the awake were listed.
+void meet_smooth(Contacts& c, Bin& bin) {
+  std::erase_if(bin.awake, [&](std::uint32_t place) {
+    const std::uint32_t k = bin.records[place];
+    if (c.touching[k] == 0) return false;
+    bin.met.add(k, bin.a_index[place], bin.b_index[place], bin.pair[place], c.seat[k]);
+    bin.met.place.push_back(place);
+    c.centre[k] = {};  // as lanes leave it
+    return true;
+  });
+}
+
 }  // namespace
 
 void relist(Contacts& c, std::uint32_t k) {
@@ -59,6 +71,7 @@ std::vector<Tally> meet(World& world, int threads) {
   std::size_t seats = c.history.size();
   for (std::size_t i = 0; i < c.bins.size(); ++i) {
     Bin& bin = c.bins[i];
+    if (bin.smooth) meet_smooth(c, bin);
     if (!bin.round()) continue;
     const std::vector<std::uint32_t> found = overlapping(world, bin, threads);
     for (const std::uint32_t place : found) {

@@ -1,6 +1,7 @@
-// Pairs of round bodies that meet for the first time since the list of candidates was made. A step looks for them among
-// those of the pairs that are near, the awake ones (sleep.h), and adds them to the pairs that have met (Met in
-// contacts.h); those then go through the kernels in every step, until the next rebuild, whether they touch or not.
+// Pairs that go through lanes from now on (Met in contacts.h). Of round bodies those that meet for the first time since
+// the list of candidates was made: a step looks for them among those of the pairs that are near, the awake ones
+// (sleep.h), and from then on they go through the kernels in every step, until the next rebuild, whether they touch or
+// not. Of smooth bodies those that touched a step ago, until the awake are listed anew.
 #pragma once
 
 #include "libdem/world.h"

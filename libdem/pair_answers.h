@@ -13,8 +13,10 @@ class PairAnswers {
   ~PairAnswers();
   PairAnswers(const PairAnswers&) = delete;
   PairAnswers& operator=(const PairAnswers&) = delete;
-  // Chunks first … last of the round pairs that have met, records of spheres with planes, or awake pairs of other bins.
-  Tally answer(Bin& bin, std::size_t first, std::size_t last, Scratch& s) const;
+  // Chunks first … last of the pairs that have met, records of spheres with planes, or awake pairs of other bins.
+  Tally answer(Bin& bin, bool met, std::size_t first, std::size_t last, Scratch& s) const;
+  // Whether kernels run across pairs of this bin.
+  bool in_lanes(const Bin& bin) const;
 
  private:
   struct Pass;

@@ -18,11 +18,26 @@ std::vector<std::uint32_t> touching_by_key(const Contacts& c) {
 
 }  // namespace
 
-// Sphere pairs and sphere–plane contacts do not keep it: theirs is midway in the overlap.
+// Contacts in lanes do not keep it: it is midway in the overlap.
 Vec3d contact_point(const World& world, std::size_t k) {
   const Contacts& c = world.contacts;
-  const Motion& a = world.particles.motion[c.index_a[k]];
+  const Particles& p = world.particles;
+  const Motion& a = p.motion[c.index_a[k]];
   if (!c.centre.empty() && !(c.centre[k] == Vec3d{})) return a.position + c.centre[k];
+  const auto smooth = [&](std::uint32_t i) {
+    return p.kind[i] == shapes::Kind::ellipsoid || p.kind[i] == shapes::Kind::ellipse;
+  };
+  if (c.key[k].b < wall_base && smooth(c.index_a[k]) && smooth(c.index_b[k])) {
+    const Vec3d& n = c.history_of(k).normal;
+    const auto support = [&](std::uint32_t i) {  // point farthest along n from the centre
+      const Mat3d r = shapes::rotation_matrix(p.orientation[i]);
+      const Vec3d u = scaled(p.size[i], transposed_times(r, n));
+      return r * scaled(p.size[i], u * (1 / norm(u)));
+    };
+    const Vec3d apart = p.motion[c.index_b[k]].position - a.position;
+    const Vec3d d = world.cell.periodic ? world.cell.lattice.nearest(apart) : apart;
+    return a.position + 0.5 * (support(c.index_a[k]) + (d - support(c.index_b[k])));
+  }
   return a.position + c.history_of(k).normal * (a.bounding_radius - 0.5 * c.history_of(k).overlap);
 }
 

@@ -43,6 +43,7 @@ void wake(World& world) {
     if (bin.query == nullptr) continue;
     const std::uint32_t step = bin.regions ? contact::max_regions : 1;
     bin.awake.clear();
+    bin.met.clear();
     for (std::uint32_t r = 0; r < bin.records.size(); r += step) {
       const std::uint32_t k = bin.records[r];
       if (known && travels(world, bin, r) + 2 * w < c.apart_until[k]) continue;

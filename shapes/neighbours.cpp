@@ -1,5 +1,7 @@
 // Who is next to whom on a polyhedron, for walks over its surface.
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "shapes/convex.h"
 #include "shapes/vertex_lookup.h"
@@ -51,6 +53,30 @@ void add_rises(Polyhedron& p) {
   }
 }
 
+// A face is convex: it holds the triangle from an edge to any of its points, here the farthest across the edge's
+// middle.
+void add_tents(Polyhedron& p) {
+  p.edge_tent.clear();
+  for (const Polyhedron::Edge& edge : p.edges) {
+    const Vec3d start = p.vertices[edge.vertex[0]], along = p.vertices[edge.vertex[1]] - start,
+                middle = start + 0.5 * along;
+    double least = std::numeric_limits<double>::infinity();
+    for (int side = 0; side < 2; ++side) {
+      const Polyhedron::Face& face = p.faces[edge.face[side]];
+      const Vec3d inward = normalized(cross(face.normal, side == 0 ? along : -along));
+      for (std::uint32_t i = 0; i < face.count; ++i) {
+        const Vec3d& from = p.vertices[p.face_vertices[face.first + i]];
+        const Vec3d& to = p.vertices[p.face_vertices[face.first + (i + 1) % face.count]];
+        const Vec3d outward = cross(to - from, face.normal);
+        if (const double rate = dot(inward, outward); rate > 0)
+          least = std::fmin(least, dot(from - middle, outward) / rate);
+      }
+    }
+    least = std::fmax(least, 0.0) * (1 - 0x1p-20);
+    p.edge_tent.push_back(4 * (least * least) / dot(along, along));
+  }
+}
+
 void add_lookup(Polyhedron& p) {
   const std::size_t n = p.vertices.size();
   p.lookup_cells = n <= 64 ? 4 : (n <= 512 ? 8 : 16);
@@ -73,6 +99,7 @@ void add_lookup(Polyhedron& p) {
 void add_neighbours(Polyhedron& p) {
   add_spokes(p);
   add_rises(p);
+  add_tents(p);
   add_lookup(p);
 }
 

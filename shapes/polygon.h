@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "shapes/math/vec.h"
+#include "shapes/polygon_rows.h"
 
 namespace shapes {
 
@@ -27,6 +28,9 @@ struct Polygon {
     std::vector<std::uint32_t> edge;  // of the outline, that side k lies on; none: a cut
     Vec3d centre;                     // of a circle about the part, m
     double radius = 0;                // of that circle, m
+    // Of vertex k and of side k; of bands none.
+    std::vector<CornerRow> corner_rows;
+    std::vector<SideRow> side_rows;
   };
   struct Seam {  // where two parts meet along a cut
     std::uint32_t part[2];

@@ -106,6 +106,7 @@ Polygon finish(std::vector<Vec3d> v, int exponent) {
   p.second_border = static_cast<std::uint32_t>(n);
   cut_into_parts(p);
   to_units(p, exponent);
+  make_rows(p);
   return p;
 }
 

@@ -44,6 +44,9 @@ struct Polyhedron {
   std::vector<std::uint32_t> first_spoke;  // of vertex i: spokes[first_spoke[i] .. first_spoke[i + 1]),
   std::vector<Spoke> spokes;               // counter-clockwise from outside
   std::vector<double> face_rise;           // m, how far below the face's plane the next vertex lies
+  // Of edge i: both of its faces hold the triangle over it whose sides rise by at least sqrt(edge_tent[i]) from its
+  // ends.
+  std::vector<double> edge_tent;
   // A vertex that is extreme near each direction: the sphere cut into 6·lookup_cells² patches (vertex_lookup.h).
   std::uint32_t lookup_cells = 0;
   std::vector<std::uint32_t> lookup;

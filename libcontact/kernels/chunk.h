@@ -10,6 +10,7 @@
 #include "libcontact/kernels/extreme.h"
 #include "libcontact/kernels/lattice.h"
 #include "libcontact/kernels/pair_chunks.h"
+#include "libcontact/kernels/polygon_chunk.h"
 #include "libcontact/kernels/records.h"
 #include "libcontact/laws/law.h"
 
@@ -117,7 +118,8 @@ using LoadHistoryKernel = void (*)(const History* history, const Index* record, 
 using StoreHistoryKernel = void (*)(const LawChunk& chunk, const Index* record, std::size_t count, History* history);
 // One slot of each: force, couple and levers; or two: force with couple, force with couple_b.
 using StoreSlotsKernel = void (*)(const LawChunk& chunk, const Index* record, std::size_t count, Slot* slot);
-struct StageSet;  // stages.h: any law of each family
+struct StageSet;   // stages.h: any law of each family
+struct SmoothSet;  // smooth.h: contacts of ellipsoids and of ellipses
 
 struct KernelSet {
   const char* name;                                     // sse2, avx2, avx512
@@ -138,6 +140,8 @@ struct KernelSet {
   StoreSlotsKernel store_double;  // entry i stands for slots 2 i and 2 i + 1
   PairKernels pairs;
   SearchKernels search;
+  PolygonSideKernel polygon_sides;
+  const SmoothSet* smooth;
 };
 
 // The best set this processor runs; the environment variable DEM_SIMD (sse2 | avx2 | avx512) asks for another. Every

@@ -6,14 +6,16 @@
 //   f'' = −(ρ_A + ρ_B + f) − (r-terms that vanish at the maximum),  ρ = (a b)²/h³                                 (3)
 //   n ← ((q² − r²) n + 2 q r t)/(q² + r²),  q = 2 (ρ_A + ρ_B + f): the turn 2 atan(r/q), no root                  (4)
 //   gap <= f + r²/(2 (m + f)),  m = b_A²/a_A + b_B²/a_B the least radii of curvature, while m + f > 0             (5)
+//   gap <= |d| − b_A − b_B                              (discs inside the bodies)                               (6)
 //
-// It starts at (A_A A_A^T + A_B A_B^T)⁻¹ d. A step that would lose separation is cut to a quarter. A pair that has not
-// converged after `trials` evaluations, or overlaps by more than m, is a straggler: planar_ellipse.cpp tries many
-// starts.
+// It starts at (A_A A_A^T + A_B A_B^T)⁻¹ d, or at a direction that it is given. A step that would lose separation is
+// cut to a quarter. A pair that has not converged after `trials` evaluations, or overlaps by more than m, is a
+// straggler: planar_ellipse.cpp tries many starts. The step that comes next is applied to first order to n, gap and
+// support points.
 //
-// Cost: 2 roots, 4 divisions an evaluation; 3 to 4 evaluations at aspect ratio 2. Source: own derivation. Validity:
-// lengths in a power of two near the pair's extent. Accuracy: planar.h. Tests: tests/libcontact/contract.cpp,
-// tests/extremes, tests/fuzz.
+// Cost: 2 roots, 4 divisions an evaluation; 3 to 4 evaluations at aspect ratio 2, 2 from the normal of the step before.
+// Source: own derivation. Validity: lengths in a power of two near the pair's extent. Accuracy: planar.h. Tests:
+// tests/libcontact/contract.cpp, ellipse_kernels.cpp, tests/extremes, tests/fuzz.
 #pragma once
 
 #include <cmath>
@@ -22,7 +24,9 @@
 
 namespace contact {
 
+using shapes::all_of;
 using shapes::larger;
+using shapes::lesser;
 using shapes::select;
 
 template <class T>
@@ -42,6 +46,13 @@ struct FlatEllipse {
 };
 
 template <class T>
+struct EllipseAnswer {
+  T solved, iterations;  // solved: 1, or 0 of a straggler, which has no other answer
+  T gap, lower, upper;
+  Flat<T> normal, inner_a, inner_b;  // support points of a along n, of b along −n turned about, from their centres
+};
+
+template <class T>
 struct EllipsePoint {
   Flat<T> n, inner_a, inner_b;  // a direction; support points of a along it, of b along it, from their centres
   T f, residual;                // separation and its slope
@@ -55,14 +66,53 @@ class EllipseSearch {
   using Point = EllipsePoint<T>;
 
   [[gnu::always_inline]] EllipseSearch(const FlatEllipse<T>& a, const FlatEllipse<T>& b, const V& d)
-      : a_(a), b_(b), d_(d) {}
+      : a_(a), b_(b), d_(d) {
+    using std::sqrt;
+    const T ra = larger(a.a, a.b), rb = larger(b.a, b.b), ca = lesser(a.a, a.b), cb = lesser(b.a, b.b);
+    const T distance = sqrt(dot(d, d));
+    reach_ = lesser(ra, rb);
+    ball_ = distance - (ca + cb);
+    unit_ = T(0x1p-52) * (distance + (ra + rb));
+    least_radius_ = ca * (ca / ra) + cb * (cb / rb);
+  }
 
-  // `unit`: eps L; `least_radius`: m; `enough`: an interval (5) that is narrow enough, 0: as rounding leaves it. True
-  // for the lanes that are solved; the others are stragglers.
-  [[gnu::always_inline]] auto solve(const T& unit, const T& least_radius, const T& enough, Point& best,
-                                    T& iterations) const {
+  // `start`: a unit direction to begin with, or zero: cold. `tolerance`: an interval narrower than this part of the
+  // smaller circumradius is enough; 0: as narrow as rounding leaves it.
+  [[gnu::always_inline]] EllipseAnswer<T> solve(const V& start, double tolerance) const {
+    using std::sqrt;
+    const T allowance = T(16) * unit_;
+    Point p;
+    EllipseAnswer<T> answer;
+    const auto solved = climb(start, larger(T(0), T(tolerance) * reach_ - T(2) * allowance), p, answer.iterations);
+    const T slope = (p.radius_a + p.radius_b) + p.f, size = select(p.residual < T(0), -p.residual, p.residual);
+    const auto refines = slope > T(0) && size <= T(0x1p-20) * slope;  // else the step may lead away
+    const T step = select(refines, p.residual / slope, T(0));
+    const V t = p.n.turned(), turned = p.n + step * t;
+    const T loose = size + T(0x1p-51) * (p.radius_a + p.radius_b), bound = T(2) * (least_radius_ + p.f);
+    answer.solved = select(solved, T(1), T(0));
+    answer.gap = p.f + T(0.5) * p.residual * step;
+    answer.lower = p.f - allowance;
+    answer.upper = larger(lesser(p.f + loose * loose / bound, ball_), answer.gap) + allowance;  // (5), (6)
+    answer.normal = choose(refines, (T(1) / sqrt(dot(turned, turned))) * turned, p.n);
+    answer.inner_a = p.inner_a + (p.radius_a * step) * t;
+    answer.inner_b = p.inner_b + (p.radius_b * step) * t;
+    return answer;
+  }
+
+ private:
+  static constexpr int trials = 12;
+
+  // `enough`: an interval (5) that is narrow enough. True for the lanes that are solved; the others are stragglers.
+  [[gnu::always_inline]] auto climb(const V& start, const T& enough, Point& best, T& iterations) const {
+    const T &unit = unit_, &least_radius = least_radius_;
     auto usable = d_.x == d_.x;
-    V n = start(usable);
+    const auto given = dot(start, start) > T(0.5);
+    V n = start;
+    if (!all_of(given)) {
+      auto found = usable;
+      n = choose(given, start, cold_start(found));
+      usable = usable && (given || found);
+    }
     best = {n, n, n, T(-64), T(0), T(1), T(0)};
     T fraction(1);
     iterations = T(0);
@@ -94,9 +144,6 @@ class EllipseSearch {
     }
     return solved;
   }
-
- private:
-  static constexpr int trials = 12;
 
   struct Body {
     FlatEllipse<T> e;
@@ -137,10 +184,9 @@ class EllipseSearch {
             select(mask, a.radius_a, b.radius_a),
             select(mask, a.radius_b, b.radius_b)};
   }
-  [[gnu::always_inline]] static bool all_of(bool lane) { return lane; }
 
   template <class M>
-  [[gnu::always_inline]] V start(M& found) const {
+  [[gnu::always_inline]] V cold_start(M& found) const {
     using std::sqrt;
     const auto add = [](const FlatEllipse<T>& e, T& xx, T& xy, T& yy) {
       const T a = e.a * e.a, b = e.b * e.b, difference = a - b;
@@ -159,6 +205,7 @@ class EllipseSearch {
 
   Body a_, b_;
   V d_;
+  T reach_, ball_, unit_, least_radius_;  // the smaller circumradius; (6); eps L; m
 };
 
 }  // namespace contact

@@ -22,6 +22,7 @@
 
 namespace contact {
 
+using shapes::all_of;
 using shapes::larger;
 using shapes::select;
 
@@ -40,8 +41,6 @@ struct EllipsoidAnswer {
   shapes::Vec3<T> normal;            // straggler: the best direction found, or zero
   shapes::Vec3<T> inner_a, inner_b;  // support points of a along n, of b along −n turned about, from their centres
 };
-
-inline bool all_of(bool lane) { return lane; }
 
 template <class T>
 class EllipsoidSearch {

@@ -27,8 +27,14 @@ bool sphere_pairs(const SphereRow* spheres, const Index* a, const Index* b, std:
                   const SphereAnswers& out);
 void ellipsoid_proofs(EllipsoidChunk& chunk, std::size_t count);
 void ellipsoid_search(EllipsoidChunk& chunk, std::size_t count, bool stop_at_proof, double tolerance);
+void ellipse_proofs(EllipseChunk& chunk, std::size_t count);
+void ellipse_search(EllipseChunk& chunk, std::size_t count, double tolerance);
+
+std::uint32_t polygon_sides(const Motion* motion, const Lattice* lattice, PolygonChunk& chunk, std::size_t count,
+                            bool parts, LawChunk& law);
 
 const StageSet& stage_set();
+const SmoothSet& smooth_set();
 
 }  // namespace KERNEL_SET
 }  // namespace contact::kernels

@@ -22,15 +22,6 @@ namespace {
   lane_of(v.z, i) = z;
 }
 
-// Offsets of four pairs to the nearest image, as Lattice::nearest.
-[[gnu::always_inline]] inline void to_nearest(const Lattice& l, Row& x, Row& y, Row& z) {
-  const double big = Lattice::rounder;
-  const Row nx = (x * l.inverse.x + big) - big, ny = (y * l.inverse.y + big) - big, nz = (z * l.inverse.z + big) - big;
-  x = x - nx * l.length.x;
-  y = y - ny * l.length.y;
-  z = z - nz * l.length.z;
-}
-
 template <bool periodic>
 [[gnu::always_inline]] inline void clearance(const Motion* motion, const Index* a, const Index* b, std::size_t count,
                                              [[maybe_unused]] const Lattice* lattice, Lane& out) {

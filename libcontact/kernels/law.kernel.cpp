@@ -77,8 +77,10 @@ const KernelSet& kernel_set() {
                              store_history,
                              store_slots,
                              store_double,
-                             {sphere_pairs, ellipsoid_proofs, ellipsoid_search},
-                             {lowest, lowest_two, reaching}};
+                             {sphere_pairs, ellipsoid_proofs, ellipsoid_search, ellipse_proofs, ellipse_search},
+                             {lowest, lowest_two, reaching},
+                             polygon_sides,
+                             &smooth_set()};
   return set;
 }
 

@@ -26,11 +26,25 @@ struct EllipsoidChunk {
   Lane normal[3], inner_a[3], inner_b[3];
 };
 
+// Two ellipses of the plane.
+struct EllipseChunk {
+  static constexpr std::size_t size = EllipsoidChunk::size, widest = EllipsoidChunk::widest;
+  using Lane = EllipsoidChunk::Lane;
+  Lane a[4], b[4];                     // semi-axes, cosine and sine of the turn from body to world
+  Lane d[2];                           // centre of b − centre of a
+  Lane start[2];                       // proofs: axis in the frame of a; search: where to begin, world, or zero
+  Lane outcome;                        // 1: proven, or solved
+  Lane iterations, gap, lower, upper;  // EllipseAnswer
+  Lane normal[2], inner_a[2], inner_b[2];
+};
+
 // Lanes from `count` up to the next multiple of 8 must hold numbers: any pair will do.
 // proofs: `lower` = separation along the start, proven; `outcome` = proven where it is above the margin.
-// search: EllipsoidSearch::solve.
+// search: EllipsoidSearch::solve, EllipseSearch::solve.
 using EllipsoidProofs = void (*)(EllipsoidChunk& chunk, std::size_t count);
 using EllipsoidSearchKernel = void (*)(EllipsoidChunk& chunk, std::size_t count, bool stop_at_proof, double tolerance);
+using EllipseProofs = void (*)(EllipseChunk& chunk, std::size_t count);
+using EllipseSearchKernel = void (*)(EllipseChunk& chunk, std::size_t count, double tolerance);
 
 // As sphere_pairs of libcontact/sphere_pairs.h, for any count. False where some pair is not plain (lengths outside the
 // range of squares, radii that are not positive, no numbers): its gap is NaN and the rest of its answer means nothing.
@@ -41,6 +55,8 @@ struct PairKernels {
   SpherePairKernel sphere_pairs;
   EllipsoidProofs ellipsoid_proofs;
   EllipsoidSearchKernel ellipsoid_search;
+  EllipseProofs ellipse_proofs;
+  EllipseSearchKernel ellipse_search;
 };
 
 // Those of the set that runs here (chunk.h).

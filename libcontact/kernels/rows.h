@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "libcontact/kernels/lattice.h"
+
 namespace contact::kernels {
 inline namespace KERNEL_SET {
 
@@ -131,6 +133,15 @@ struct RowsOf {
   }
 };
 using Rows = RowsOf<4>;
+
+// Offsets of four pairs to the nearest image, as Lattice::nearest.
+[[gnu::always_inline]] inline void to_nearest(const Lattice& l, Row& x, Row& y, Row& z) {
+  const double big = Lattice::rounder;
+  const Row nx = (x * l.inverse.x + big) - big, ny = (y * l.inverse.y + big) - big, nz = (z * l.inverse.z + big) - big;
+  x = x - nx * l.length.x;
+  y = y - ny * l.length.y;
+  z = z - nz * l.length.z;
+}
 
 }  // namespace KERNEL_SET
 }  // namespace contact::kernels

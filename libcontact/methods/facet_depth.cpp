@@ -1,6 +1,6 @@
 #include "libcontact/methods/facet_depth.h"
 
-#include "libcontact/methods/overlap_moments.h"
+#include "libcontact/methods/overlap_forms.h"
 
 namespace contact {
 
@@ -16,24 +16,38 @@ Patch patch_of(const DepthSlope& s, const Mat3d& rotation, const Vec3d& position
           s.volume};
 }
 
+// The slope of d where the body whose vertex lies under a face of the other is self.
+bool under_face(const PolyhedronPair& pair, std::uint32_t face, std::uint32_t vertex, double reach, double size,
+                DepthSlope& out) {
+  if (CornerOverlap c; corner_alone(pair, face, vertex, reach, c))
+    return corner_slope({c.corner, c.count}, c.n, c.depth, size, out);
+  return depth_slope(overlap_under_face(pair, face, vertex), size, out);
+}
+bool of_edges(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other,
+              const FacetAxis& axis, double size, DepthSlope& out) {
+  const EdgesMeeting meeting(axis.a, axis.b);
+  if (EdgesOverlap e; edges_alone(pair, meeting, edge_of_self, edge_of_other, e))
+    return edges_slope(e.corner, e.normal, size, out);
+  return depth_slope(overlap_of_edges(pair, meeting, edge_of_self, edge_of_other, axis.normal, -axis.value), size, out);
+}
+
 }  // namespace
 
-bool facet_depth(const PolyhedronPair& pair, const DifferenceFacet& facet, const Vec3d& n, double depth,
+bool facet_depth(const PolyhedronPair& pair, const DifferenceFacet& facet, const FacetAxis& axis,
                  const PairPlaces& places, OverlapDepth& out, Patch& patch) {
-  // The body whose vertex lies under a face of the other is the one that is cut.
   const bool turned = facet.kind == DifferenceFacet::face_of_a;
-  const OverlapBody& body = turned ? overlap_under_face(pair.swapped(), facet.a, facet.b)
-                            : facet.kind == DifferenceFacet::face_of_b
-                                ? overlap_under_face(pair, facet.b, facet.a)
-                                : overlap_of_edges(pair, facet.a, facet.b, n, depth);
   DepthSlope slope;
-  if (!depth_slope(body, places.size, slope)) return false;
+  const bool found = turned ? under_face(pair.swapped(), facet.a, facet.b, axis.reach, places.size, slope)
+                     : facet.kind == DifferenceFacet::face_of_b
+                         ? under_face(pair, facet.b, facet.a, axis.reach, places.size, slope)
+                         : of_edges(pair, facet.a, facet.b, axis, places.size, slope);
+  if (!found) return false;
   const Mat3d& rotation = turned ? places.rotation_b : places.rotation_a;
   const Vec3d position = turned ? places.offset : Vec3d{};
   out = rotated(line_of_action(slope), rotation);
   out.point += position;
   if (turned) out.normal = -out.normal;
-  patch = patch_of(slope, rotation, position);
+  patch = facet.kind == DifferenceFacet::edges ? Patch{} : patch_of(slope, rotation, position);
   return true;
 }
 

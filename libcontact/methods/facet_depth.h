@@ -13,10 +13,10 @@ struct PairPlaces {
   double size;   // of the smaller body
 };
 
-// `n` from self to other in self's frame, `depth` > 0: of the facet's axis. Of a face's facet its vertex lies farthest
-// below the face. The patch is the overlap seen along its vector area, weighted by its length along that. In units and
-// along world axes. False as overlap_depth.
-bool facet_depth(const PolyhedronPair& pair, const DifferenceFacet& facet, const Vec3d& n, double depth,
+// `axis` of the facet, its value below 0. Of a face's facet its vertex lies farthest below the face. The patch is the
+// overlap seen along its vector area, weighted by its length along that. In units and along world axes. False as
+// overlap_depth.
+bool facet_depth(const PolyhedronPair& pair, const DifferenceFacet& facet, const FacetAxis& axis,
                  const PairPlaces& places, OverlapDepth& out, Patch& patch);
 
 }  // namespace contact

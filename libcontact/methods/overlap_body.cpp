@@ -17,13 +17,13 @@ Vec3d crossing(const Vec3d& in, const Vec3d& out, double height_in, double heigh
   return in + (height_in / (height_in - height_out)) * (out - in);
 }
 
+}  // namespace
+
 HalfSpace face_of_other(const PolyhedronPair& pair, std::uint32_t i) {
   const auto& face = pair.other->faces[i];
   const Vec3d n = pair.other_to_self * face.normal;
   return {n, pair.other_scale * face.offset + dot(n, pair.offset)};
 }
-
-}  // namespace
 
 void OverlapBody::begin_walk(const shapes::Polyhedron& p) {
   clear();
@@ -126,12 +126,13 @@ bool OverlapBody::cut(const HalfSpace& keep, bool of_other) {
   height_.make_room(count);
   kept_as_.make_room(count);
   double* const height = height_.data();
-  std::uint32_t* const kept_as = kept_as_.data();
+  std::uint32_t* const kept_as = kept_as_.data();  // the highest bit: lies outside
   std::uint32_t kept = 0;
   for (std::size_t i = 0; i < count; ++i) {
     height[i] = dot(keep.n, corners_[i]) - keep.level;
-    kept_as[i] = kept;
-    kept += height[i] > 0 ? 0 : 1;
+    const std::uint32_t out = height[i] > 0 ? 1 : 0;
+    kept_as[i] = out << 31 | kept;
+    kept += out ^ 1;
   }
   if (kept == count) return false;
   if (kept == 0) {
@@ -144,22 +145,21 @@ bool OverlapBody::cut(const HalfSpace& keep, bool of_other) {
   crossings_.make_room(side_count_);
   faces_.make_room(face_count_ + 1, face_count_);
   form_ = Form::general;
-  ball_known_ = false;
   Vec3d* const corners = corners_.data();
   Side *const sides = sides_.data(), *const crossed = crossed_.data();
   // No branch on what cannot be guessed.
   std::size_t left = 0, crossings = 0;
   for (std::size_t i = 0; i < side_count_; ++i) {
     const Side s = sides[i];
-    const std::size_t from_out = height[s.from] > 0, to_out = height[s.to] > 0;
+    const std::uint32_t from = kept_as[s.from], to = kept_as[s.to];
     crossed[crossings] = s;
-    crossings += from_out ^ to_out;
-    sides[left] = {kept_as[s.from], kept_as[s.to], s.left, s.right};
-    left += (from_out | to_out) ^ 1;
+    crossings += (from ^ to) >> 31;
+    sides[left] = {from, to, s.left, s.right};
+    left += ((from | to) >> 31) ^ 1;
   }
   for (std::uint32_t c = 0; c < crossings; ++c) {
     const Side& s = crossed[c];
-    const bool from_out = height[s.from] > 0;
+    const bool from_out = kept_as[s.from] >> 31 != 0;
     const std::uint32_t in = from_out ? s.to : s.from, out = from_out ? s.from : s.to,
                         leaves = from_out ? s.right : s.left, enters = from_out ? s.left : s.right, here = kept + c;
     corners[count + c] = crossing(corners[in], corners[out], height[in], height[out]);
@@ -167,7 +167,7 @@ bool OverlapBody::cut(const HalfSpace& keep, bool of_other) {
     faces_[enters].enters = c;
     sides[left++] = {from_out ? here : kept_as[in], from_out ? kept_as[in] : here, s.left, s.right};
   }
-  for (std::size_t i = 0; i < count; ++i) corners[kept_as[i]] = corners[i];
+  for (std::size_t i = 0; i < count; ++i) corners[kept_as[i] & ~(1U << 31)] = corners[i];
   for (std::size_t c = 0; c < crossings; ++c) corners[kept + c] = corners[count + c];
   corner_count_ = kept + crossings;
   side_count_ = left;
@@ -175,51 +175,45 @@ bool OverlapBody::cut(const HalfSpace& keep, bool of_other) {
   return true;
 }
 
-const OverlapBody::Ball& OverlapBody::ball() {
-  if (ball_known_) return ball_;
-  Vec3d sum{};
-  for (const Vec3d& x : corners()) sum += x;
-  const Vec3d middle = sum * (1 / static_cast<double>(corner_count_));
-  double square = 0;
-  for (const Vec3d& x : corners()) square = std::max(square, dot(x - middle, x - middle));
-  ball_ = {middle, std::sqrt(square)};
-  ball_known_ = true;
-  return ball_;
-}
-
-// The ball about what is left tells which planes may cut: from the body's frame into p's geometry by `into`, planes
-// back by `face_of`. Of many, the one that cuts most comes first and leaves less for the others.
+// Of the planes that corners lie over, those of p's geometry where `into` takes them from the body's frame; planes back
+// by `face_of`. The one that cuts most comes first and leaves less for the others.
 template <class Into, class FaceOf>
 void OverlapBody::cut_by(const shapes::Polyhedron& p, double down, Except except, bool of_other, Into&& into,
                          FaceOf&& face_of) {
   if (empty()) return;
-  Vec3d middle;
-  double reach = 0;
-  const auto look = [&] {
-    const Ball& b = ball();
-    middle = down * into(b.middle);
-    reach = down * b.radius + 32 * epsilon * (max_abs(middle) + p.circumradius);
-  };
-  const auto height = [&](std::uint32_t i) { return dot(p.faces[i].normal, middle) - p.faces[i].offset; };
-  look();
-  near_.make_room(p.nx.size() + 1);
-  std::uint32_t* const near = near_.data();
-  std::size_t count = kernels::search_kernels().reaching({p.nx.data(), p.ny.data(), p.nz.data(), p.nx.size()},
-                                                         p.nd.data(), p.faces.size(), middle, reach, near);
-  count = static_cast<std::size_t>(
-      std::remove_if(near, near + count, [&](std::uint32_t i) { return i == except.face[0] || i == except.face[1]; }) -
-      near);
-  if (count > 3) {
-    std::size_t first = 0;
-    double most = height(near[0]);
-    for (std::size_t i = 1; i < count; ++i)
-      if (const double h = height(near[i]); h > most) most = h, first = i;
-    std::swap(near[0], near[first]);
+  const std::size_t filled = (corner_count_ + 3) / 4 * 4;
+  seen_.make_room(filled);
+  for (std::size_t i = 0; i < filled; ++i) {
+    const Vec3d x = down * into(corners_[i < corner_count_ ? i : 0]);
+    seen_[i] = {x.x, x.y, x.z, 0};
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!(height(near[i]) + reach > 0) || !cut(face_of(near[i]), of_other)) continue;
+  near_.make_room(p.nx.size() + 1);
+  const kernels::OverlapKernels& kernels = kernels::overlap_kernels();
+  const std::size_t found = kernels.cutting({p.nx.data(), p.ny.data(), p.nz.data(), p.nx.size()}, p.nd.data(),
+                                            p.faces.size(), seen_.data(), filled, near_.data());
+  const std::size_t room = found + 4;
+  planes_.make_room(4 * room);
+  const kernels::OverlapPlanes planes{planes_.data(), planes_.data() + room, planes_.data() + 2 * room,
+                                      planes_.data() + 3 * room};
+  const auto set = [&](std::size_t i, const Vec3d& n, double level) {
+    planes.x[i] = n.x, planes.y[i] = n.y, planes.z[i] = n.z, planes.level[i] = level;
+  };
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < found; ++i) {
+    if (near_[i] == except.face[0] || near_[i] == except.face[1]) continue;
+    const HalfSpace face = face_of(near_[i]);
+    set(count++, face.n, face.level);
+  }
+  for (std::size_t i = count; i % 4 != 0; ++i) set(i, {}, 0);
+  for (;;) {
+    std::size_t deepest = 0;
+    count = kernels.deepest(planes, count, corners_.data(), corner_count_, deepest);
+    if (count == 0) return;
+    const HalfSpace face{{planes.x[deepest], planes.y[deepest], planes.z[deepest]}, planes.level[deepest]};
+    --count;
+    set(deepest, {planes.x[count], planes.y[count], planes.z[count]}, planes.level[count]);
+    cut(face, of_other);
     if (empty()) return;
-    if (i + 2 < count) look();
   }
 }
 
@@ -239,41 +233,39 @@ void OverlapBody::cut_by_other(const PolyhedronPair& pair, Except except) {
       [&](std::uint32_t i) { return face_of_other(pair, i); });
 }
 
-bool OverlapBody::begin(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other) {
-  const auto &a = pair.self->edges[edge_of_self], &b = pair.other->edges[edge_of_other];
-  const Vec3d p = pair.self_vertex(a.vertex[0]), e = pair.self_vertex(a.vertex[1]) - p;
-  const Vec3d q = pair.other_vertex(b.vertex[0]), f = pair.other_vertex(b.vertex[1]) - q, w = q - p;
-  const Vec3d of_a[2] = {pair.self->faces[a.face[0]].normal, pair.self->faces[a.face[1]].normal};
-  const Vec3d of_b[2] = {pair.other_to_self * pair.other->faces[b.face[0]].normal,
-                         pair.other_to_self * pair.other->faces[b.face[1]].normal};
-  // Where the line of each edge meets the faces at the other one: corners 0 and 1 on self's, 2 and 3 on other's, in the
-  // order of other's faces and self's.
+EdgesMeeting::EdgesMeeting(const Arc& a, const Arc& b)
+    : p(a.point),
+      e(a.direction),
+      q(b.point),
+      f(b.direction),
+      w(q - p),
+      of_a{a.n0, a.n1},
+      of_b{b.n0, b.n1},
+      found(false) {
   const double rise_a[2] = {dot(of_b[0], e), dot(of_b[1], e)}, rise_b[2] = {dot(of_a[0], f), dot(of_a[1], f)};
-  // Along self's edge from other's face `low` to its face `high`; then other's edge runs from self's face 0 to 1 with
-  // `low` on its left.
-  const std::uint32_t low = rise_a[0] < 0 ? 0 : 1, high = 1 - low;
-  if (!(rise_a[low] < 0 && rise_a[high] > 0 && rise_b[low] < 0 && rise_b[high] > 0)) return false;
-  double s[2], t[2];
+  low = rise_a[0] < 0 ? 0 : 1;
+  high = 1 - low;
+  if (!(rise_a[low] < 0 && rise_a[high] > 0 && rise_b[low] < 0 && rise_b[high] > 0)) return;
   for (int i = 0; i < 2; ++i) {
     s[i] = dot(of_b[i], w) / rise_a[i];
     t[i] = -dot(of_a[i], w) / rise_b[i];
   }
   const auto near_edge = [](double x) { return std::abs(x) <= 2; };
-  if (!(s[low] < s[high] && t[low] < t[high] && near_edge(s[0]) && near_edge(s[1]) && near_edge(t[0]) &&
-        near_edge(t[1])))
-    return false;
+  found =
+      s[low] < s[high] && t[low] < t[high] && near_edge(s[0]) && near_edge(s[1]) && near_edge(t[0]) && near_edge(t[1]);
+}
+
+bool OverlapBody::begin(const EdgesMeeting& m) {
+  if (!m.found) return false;
   clear();
   corners_.make_room(4);
   sides_.make_room(6);
   faces_.make_room(4);
-  corners_[0] = p + s[low] * e;
-  corners_[1] = p + s[high] * e;
-  corners_[2] = q + t[0] * f;
-  corners_[3] = q + t[1] * f;
-  faces_[0] = {of_a[0], 0, false};
-  faces_[1] = {of_a[1], 0, false};
-  faces_[2] = {of_b[low], 0, true};
-  faces_[3] = {of_b[high], 0, true};
+  m.corners(corners_.data());
+  faces_[0] = {m.of_a[0], 0, false};
+  faces_[1] = {m.of_a[1], 0, false};
+  faces_[2] = {m.of_b[m.low], 0, true};
+  faces_[3] = {m.of_b[m.high], 0, true};
   constexpr Side sides[6] = {{0, 1, 0, 1}, {2, 3, 2, 3}, {1, 2, 0, 3}, {2, 0, 0, 2}, {0, 3, 1, 2}, {3, 1, 1, 3}};
   std::copy_n(sides, 6, sides_.data());
   form_ = Form::edges;
@@ -296,12 +288,12 @@ const OverlapBody& overlap_under_face(const PolyhedronPair& pair, std::uint32_t 
   return body;
 }
 
-const OverlapBody& overlap_of_edges(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other,
-                                    const Vec3d& n, double depth) {
+const OverlapBody& overlap_of_edges(const PolyhedronPair& pair, const EdgesMeeting& meeting, std::uint32_t edge_of_self,
+                                    std::uint32_t edge_of_other, const Vec3d& n, double depth) {
   OverlapBody& body = scratch();
   const auto &a = pair.self->edges[edge_of_self], &b = pair.other->edges[edge_of_other];
   const OverlapBody::Except of_other{{b.face[0], b.face[1]}};
-  if (body.begin(pair, edge_of_self, edge_of_other)) {
+  if (body.begin(meeting)) {
     body.cut_by_self(pair, {{a.face[0], a.face[1]}});
     body.cut_by_other(pair, of_other);
     return body;

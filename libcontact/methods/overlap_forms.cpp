@@ -1,5 +1,6 @@
 #include "libcontact/methods/overlap_forms.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "libcontact/methods/depth_spread.h"
@@ -15,11 +16,73 @@ double turn(const Flat& a, const Flat& b) { return a.x * b.y - a.y * b.x; }
 
 }  // namespace
 
-bool corner_slope(const OverlapBody& body, double size, DepthSlope& out) {
-  const auto corners = body.corners();
+// K is the tip and the rim about its foot. Other is convex: it holds the rim where its face does, and the tip where
+// that is in the cone from the face to a point inside.
+bool corner_alone(const PolyhedronPair& pair, std::uint32_t face, std::uint32_t vertex, double reach,
+                  CornerOverlap& out) {
+  const shapes::Polyhedron &self = *pair.self, &other = *pair.other;
+  const std::uint32_t first = self.first_spoke[vertex], count = self.first_spoke[vertex + 1] - first;
+  if (count >= CornerOverlap::cap) return false;
+  const HalfSpace keep = face_of_other(pair, face);
+  const auto height = [&](const Vec3d& x) { return dot(keep.n, pair.self_scale * x) - keep.level; };
+  const Vec3d& tip = self.vertices[vertex];
+  const Vec3d x = pair.self_scale * tip;
+  const double here = height(tip);
+  out.corner[0] = x;
+  double least = HUGE_VAL, square = 0;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const Vec3d& to = self.spokes[first + k].to;
+    const double there = height(to);
+    least = std::min(least, there);
+    const Vec3d arm = (here / (here - there)) * (pair.self_scale * to - x);
+    out.corner[k + 1] = x + arm;
+    square = std::max(square, dot(arm, arm));
+  }
+  constexpr double within = 1 - 0x1p-20;
+  const double border = within * (reach * reach);
+  if (!(here < 0 && least > 0 && square < border)) return false;
+  const Vec3d inside = pair.other_to_self * (pair.other_scale * core_ball(other).centre) + pair.offset - x;
+  const double deeper = -dot(keep.n, inside);
+  if (!(deeper > 0 && (dot(inside, inside) - deeper * deeper) * (here * here) < border * (deeper * deeper)))
+    return false;
+  out.count = count + 1;
+  out.n = -keep.n;
+  out.depth = -here;
+  return true;
+}
+
+// Each end of the one edge's part lies in a face at the other edge where it is in the triangle over that edge.
+bool edges_alone(const PolyhedronPair& pair, const EdgesMeeting& m, std::uint32_t edge_of_self,
+                 std::uint32_t edge_of_other, EdgesOverlap& out) {
+  if (!m.found) return false;
+  const double ee = dot(m.e, m.e), ff = dot(m.f, m.f), ef = dot(m.e, m.f), we = dot(m.w, m.e), wf = dot(m.w, m.f),
+               ww = dot(m.w, m.w), tent_e = pair.self->edge_tent[edge_of_self] * ee,
+               tent_f = pair.other->edge_tent[edge_of_other] * ff;
+  // A point at `place` along an edge and its distance, squared, from the other one's start.
+  const auto held = [](double place, double square, double length, double tent) {
+    const double along = place * place * length, end = std::min(place, 1 - place);
+    return end > 0 && (square - along) + 0x1p-40 * (square + along) < tent * (end * end);
+  };
+  const double per_ee = 1 / ee, per_ff = 1 / ff;
+  bool alone = true;
+  for (int i = 0; i < 2; ++i) {
+    const double s = m.s[i], t = m.t[i];
+    alone = alone && s > 0 && s < 1 && t > 0 && t < 1 &&
+            held((we + t * ef) * per_ee, ww + t * (2 * wf + t * ff), ee, tent_e) &&
+            held((s * ef - wf) * per_ff, ww - s * (2 * we - s * ee), ff, tent_f);
+  }
+  if (!alone) return false;
+  m.corners(out.corner);
+  out.normal[0] = m.of_a[0];
+  out.normal[1] = m.of_a[1];
+  out.normal[2] = m.of_b[m.low];
+  out.normal[3] = m.of_b[m.high];
+  return true;
+}
+
+bool corner_slope(std::span<const Vec3d> corners, const Vec3d& n, double depth, double size, DepthSlope& out) {
   const std::size_t count = corners.size() - 1;
-  const Vec3d n = -body.faces().back().normal, tip = corners[0];
-  const double depth = body.depth();
+  const Vec3d tip = corners[0];
   Vec3d t, u;
   tangent_frame(n, t, u);
   // Of the polygon from its first corner, which is at `first` from the tip's foot.
@@ -85,9 +148,7 @@ bool corner_slope(const OverlapBody& body, double size, DepthSlope& out) {
   return true;
 }
 
-bool edges_slope(const OverlapBody& body, double size, DepthSlope& out) {
-  const auto x = body.corners();
-  const auto faces = body.faces();
+bool edges_slope(const Vec3d* x, const Vec3d* normal, double size, DepthSlope& out) {
   const Vec3d e = x[1] - x[0], f = x[3] - x[2], across = cross(f, e);
   const double twice = norm(across);  // of the vector area
   if (!(twice > 2 * least_depth * least_depth * size * size)) return false;
@@ -110,9 +171,8 @@ bool edges_slope(const OverlapBody& body, double size, DepthSlope& out) {
     return (-1 / dot(m, f)) * ((per_ef * dot(m, g)) * fn + (place * per_depth) * cross(f, m));
   };
   const Vec3d turn_alpha =
-      (alpha - 0.5) * of_other(faces[3].normal, alpha + 0.5) - (alpha + 0.5) * of_other(faces[2].normal, alpha - 0.5);
-  const Vec3d turn_beta =
-      (beta + 0.5) * of_self(faces[0].normal, beta - 0.5) - (beta - 0.5) * of_self(faces[1].normal, beta + 0.5);
+      (alpha - 0.5) * of_other(normal[3], alpha + 0.5) - (alpha + 0.5) * of_other(normal[2], alpha - 0.5);
+  const Vec3d turn_beta = (beta + 0.5) * of_self(normal[0], beta - 0.5) - (beta - 0.5) * of_self(normal[1], beta + 0.5);
   const Vec3d couple = (2 * gain * share * depth * depth) * (alpha * turn_alpha + beta * turn_beta);  // (4)
   out.force = gain * n;
   out.centroid = 0.5 * (middle_e + middle_f);

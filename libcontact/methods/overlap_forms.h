@@ -17,8 +17,31 @@
 
 namespace contact {
 
-// Of a body of that form; false as depth_slope.
-bool corner_slope(const OverlapBody& body, double size, DepthSlope& out);
-bool edges_slope(const OverlapBody& body, double size, DepthSlope& out);
+// The first: corners[0] is the tip, the others are about n in order, which runs from the plane to the tip, `depth`
+// apart.
+struct CornerOverlap {
+  static constexpr std::uint32_t cap = 9;  // more than nearly all tips have, for each is cleared
+  Vec3d corner[cap];
+  std::size_t count;
+  Vec3d n;
+  double depth;
+};
+// The second: self's edge runs from corner 0 to 1 and other's from 2 to 3; outward normals of self's faces at corners 2
+// and 3, of other's at 0 and 1.
+struct EdgesOverlap {
+  Vec3d corner[4], normal[4];
+};
+
+// Where self has one vertex under a face of other, which holds its foot and what is `reach` about it, and that is all
+// of the overlap; and where it is that of two edges. False when this does not follow from these features alone: other
+// faces are not looked at. In self's frame.
+bool corner_alone(const PolyhedronPair& pair, std::uint32_t face, std::uint32_t vertex, double reach,
+                  CornerOverlap& out);
+bool edges_alone(const PolyhedronPair& pair, const EdgesMeeting& meeting, std::uint32_t edge_of_self,
+                 std::uint32_t edge_of_other, EdgesOverlap& out);
+
+// False as depth_slope.
+bool corner_slope(std::span<const Vec3d> corners, const Vec3d& n, double depth, double size, DepthSlope& out);
+bool edges_slope(const Vec3d* corner, const Vec3d* normal, double size, DepthSlope& out);
 
 }  // namespace contact

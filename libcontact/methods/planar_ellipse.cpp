@@ -110,20 +110,6 @@ bool refines(const Pair& pair, const Point& p, bool unique) {
   return evaluate(pair, next.n).f >= p.f - 2 * epsilon * pair.size;
 }
 
-// The only maximum there is, where the overlap is below the least radii of curvature.
-bool shallow(const Pair& pair, double enough, Root& root) {
-  const auto flat = [](const Oval& o) { return FlatEllipse<double>{o.a, o.b, o.x.x, o.x.y}; };
-  const EllipseSearch<double> search(flat(pair.a), flat(pair.b), {pair.d.x, pair.d.y});
-  EllipsePoint<double> p;
-  double iterations;
-  if (!search.solve(epsilon * pair.size, pair.least_radius, enough, p, iterations)) return false;
-  const auto in_space = [](const Flat<double>& v) { return Vec3d{v.x, v.y, 0}; };
-  root.point = {in_space(p.n), in_space(p.inner_a), in_space(p.inner_b), p.f, p.residual, p.radius_a, p.radius_b};
-  root.iterations = static_cast<int>(iterations);
-  root.converged = true;
-  return true;
-}
-
 // From many starts, as there may be more than one maximum. False for a rotation that is not finite, or zero.
 bool deep(const Pair& pair, Root& best) {
   Vec3d start;
@@ -152,25 +138,12 @@ bool deep(const Pair& pair, Root& best) {
   return true;
 }
 
-}  // namespace
-
-Contact ellipse_pair(const Placed<shapes::Ellipse>& a, const Placed<shapes::Ellipse>& b, const Vec3d& offset,
-                     const Options& options) {
-  const double ra = std::max(a.a, a.b), rb = std::max(b.a, b.b), ca = std::min(a.a, a.b), cb = std::min(b.a, b.b);
-  const double extent = max_abs(offset) + (ra + rb), limit = smallest_ratio * extent;
-  bool good = extent_in_range(extent) && a.a >= limit && a.b >= limit && b.a >= limit && b.b >= limit;
-  const Scale unit = scale_of(good ? extent : 1);
-  Pair pair{oval(a, unit.down), oval(b, unit.down), offset * unit.down, 0, 0};
-  const double distance = norm(pair.d);
-  pair.size = distance + (ra + rb) * unit.down;
-  pair.least_radius = (ca * (ca / ra) + cb * (cb / rb)) * unit.down;
-  const double allowance = rounding(pair.size);
-  const double enough = std::max(0.0, options.tolerance * std::min(ra, rb) * unit.down - 2 * allowance);
+// In units of `up`. False for a rotation that is not finite, or zero.
+bool searched_deep(const Pair& pair, double ball, double up, Contact& c) {
   Root best{};
-  good = good && (shallow(pair, enough, best) || deep(pair, best));
+  if (!deep(pair, best)) return false;
   Point& p = best.point;
-  const double ball = distance - (ca + cb) * unit.down;
-  const double residual = std::abs(p.residual) + 2 * epsilon * (p.ra + p.rb);
+  const double allowance = rounding(pair.size), residual = std::abs(p.residual) + 2 * epsilon * (p.ra + p.rb);
   const double bound = 2 * (pair.least_radius + p.f);
   const bool unique = bound > 0;
   const double lower = p.f - allowance;
@@ -178,12 +151,31 @@ Contact ellipse_pair(const Placed<shapes::Ellipse>& a, const Placed<shapes::Elli
   const bool proven = !best.converged || unique || ball <= p.f + allowance;
   const double gap = best.converged && refines(pair, p, unique) ? refine(p) : p.f;
   if (!proven) upper = gap;
-  // One object from here to the caller: an answer is 240 bytes.
-  Contact c = good ? smooth_contact(gap, lower, std::max(upper, gap) + allowance, p.n, p.xa, pair.d - p.xb, unit.up,
-                                    best.iterations)
-                   : refused();
-  if (good && !proven) c.certified = false;
-  if (good && !best.converged) c.status = Status::not_converged;
+  c = smooth_contact(gap, lower, std::max(upper, gap) + allowance, p.n, p.xa, pair.d - p.xb, up, best.iterations);
+  if (!proven) c.certified = false;
+  if (!best.converged) c.status = Status::not_converged;
+  return true;
+}
+
+}  // namespace
+
+Contact ellipse_pair(const Placed<shapes::Ellipse>& a, const Placed<shapes::Ellipse>& b, const Vec3d& offset,
+                     const Options& options) {
+  const double ra = std::max(a.a, a.b), rb = std::max(b.a, b.b), ca = std::min(a.a, a.b), cb = std::min(b.a, b.b);
+  const double extent = max_abs(offset) + (ra + rb), limit = smallest_ratio * extent;
+  if (!(extent_in_range(extent) && a.a >= limit && a.b >= limit && b.a >= limit && b.b >= limit)) return refused();
+  const Scale unit = scale_of(extent);
+  const auto flat = [&unit](const Placed<shapes::Ellipse>& e) {
+    return FlatEllipse<double>{e.a * unit.down, e.b * unit.down, e.cosine, e.sine};
+  };
+  const Vec3d d = offset * unit.down;
+  const EllipseAnswer<double> r = EllipseSearch<double>(flat(a), flat(b), {d.x, d.y}).solve({0, 0}, options.tolerance);
+  if (r.solved != 0) return ellipse_contact(r, d, unit.up);
+  const double distance = norm(d);
+  const Pair pair{oval(a, unit.down), oval(b, unit.down), d, distance + (ra + rb) * unit.down,
+                  (ca * (ca / ra) + cb * (cb / rb)) * unit.down};
+  Contact c;
+  if (!searched_deep(pair, distance - (ca + cb) * unit.down, unit.up, c)) return refused();
   return c;
 }
 

@@ -27,17 +27,19 @@ inline double dot_xy(const Vec3d& a, const Vec3d& b) { return a.x * b.x + a.y * 
 struct Loop {
   std::span<const Vec3d> vertices, normals;  // side i runs from vertex i to the next; in the loop's own frame
   std::span<const double> offsets;
-  double core;  // > 0: radius of a circle inside the loop about its origin
+  std::span<const std::uint32_t> edges;  // of a part: of the outline, that a side lies on; else empty
+  double core;                           // > 0: radius of a circle inside the loop about its origin
   Placement place;
 
   Loop(const shapes::Polygon& p, const Placement& at)
       : vertices(p.vertices), normals(p.normals), offsets(p.offsets), core(p.inscribed_radius), place(at) {}
   Loop(const shapes::Polygon::Part& p, const Placement& at)
-      : vertices(p.vertices), normals(p.normals), offsets(p.offsets), core(0), place(at) {}
+      : vertices(p.vertices), normals(p.normals), offsets(p.offsets), edges(p.edge), core(0), place(at) {}
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(vertices.size()); }
   std::uint32_t next(std::uint32_t i) const { return i + 1 == size() ? 0 : i + 1; }
   std::uint32_t before(std::uint32_t i) const { return (i == 0 ? size() : i) - 1; }
+  bool is_cut(std::uint32_t side) const { return !edges.empty() && edges[side] == shapes::Polygon::none; }
   // As placed.
   Vec3d vertex(std::uint32_t i) const { return place.point(vertices[i]); }
   Vec3d normal(std::uint32_t i) const { return place.direction(normals[i]); }

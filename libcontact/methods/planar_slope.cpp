@@ -5,11 +5,21 @@
 
 namespace contact {
 
+namespace {
+
+bool is_of_b(std::uint32_t side) { return side == PlanarOverlap::of_b || side == PlanarOverlap::cut_of_b; }
+// Of a's border the end counts, of b's the start.
+double end_of_border(std::uint32_t side) {
+  return side == PlanarOverlap::of_a ? 1 : side == PlanarOverlap::of_b ? -1 : 0;
+}
+
+}  // namespace
+
 bool PlanarOverlap::slope(double size, DepthSlope& out) const {
   if (corners_.size() < 3) return false;
   const Vec3d apex = corners_[0].x;
   const auto out_of = [](const Vec3d& along) { return Vec3d{along.y, -along.x, 0}; };
-  Vec3d of[3]{};
+  Vec3d of[4]{};
   each_side([&](const At& e) { of[e.side] += out_of(e.to - e.from); });
   const Vec3d surface = 0.5 * (of[of_a] - of[of_b]);
   const double section = norm(surface);
@@ -51,20 +61,27 @@ bool PlanarOverlap::slope(double size, DepthSlope& out) const {
   };
   each_side([&](const At& e) {
     const Vec3d x = e.from - apex, y = e.to - apex, ahead = out_of(y - x);
-    if (e.side == of_b) {  // (4)
+    const bool with_b = is_of_b(e.side), before_with_b = is_of_b(e.before);
+    if (with_b) {  // (4)
       const double r = residual(x), q = residual(y);
       press(scale * ((3 * r * r + 2 * r * q + q * q) / 12 - 0.5 * variance), x - centre, ahead);
       press(scale * ((3 * q * q + 2 * r * q + r * r) / 12 - 0.5 * variance), y - centre, ahead);
     }
-    if (e.side == e.before || e.side == of_cut || e.before == of_cut) return;
+    // An end of the chord: by how much it moves with this corner.
+    const double share = 0.5 * (end_of_border(e.before) - end_of_border(e.side));
+    if (share == 0) return;
+    if (with_b == before_with_b) {  // where a cut of b begins
+      if (with_b) press(-share * turn, x - centre, n);
+      return;
+    }
     // The outlines cross here.
     const Vec3d behind = out_of(e.from - e.previous);
     const double length = norm(ahead), before = norm(behind);
     if (!(length > 0 && before > 0)) return;
     const Vec3d u = ahead * (1 / length), v = behind * (1 / before);
-    const Vec3d &self = e.side == of_a ? u : v, &other = e.side == of_a ? v : u;
+    const Vec3d &self = with_b ? v : u, &other = with_b ? u : v;
     const double sine = norm(cross(self, other));
-    if (sine > 0) press(turn * dot(t, self) / sine, x - centre, other);
+    if (sine > 0) press(std::abs(share) * (turn * dot(t, self) / sine), x - centre, other);
   });
   out.centroid = apex + centre;
   return true;

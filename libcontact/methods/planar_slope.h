@@ -8,7 +8,8 @@ namespace contact {
 
 class PlanarOverlap {
  public:
-  enum Side : std::uint32_t { of_a, of_b, of_cut };
+  // Cuts between parts of a body are no border of it, but move with it.
+  enum Side : std::uint32_t { of_a, of_b, cut_of_a, cut_of_b };
 
   // A convex piece, counter-clockwise; side_of takes a corner's `side` to a Side.
   template <class SideOf>

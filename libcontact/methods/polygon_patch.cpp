@@ -167,10 +167,9 @@ void clipped_patch(const SideView& view, const Frame& frame, Patch& patch) {
 
 }  // namespace
 
-void polygon_patch(const SideView& view, double smaller, double up, const Options& options, Contact& c) {
+bool corner_patch(const SideView& view, double smaller, double up, const Options& options, Contact& c) {
   const Loop &self = view.self, &other = view.other;
   const Frame frame(view, up);
-  const bool of_a = view.at.kind == SideContact::side_of_a;
   const auto of_self = [&](std::uint32_t i) {
     const Point p = frame.corner(i);
     return SidePoint<double>{p.u, p.h};
@@ -182,31 +181,40 @@ void polygon_patch(const SideView& view, double smaller, double up, const Option
   const std::uint32_t corner = view.at.corner, second = self.next(view.at.side), left = other.next(corner),
                       right = other.before(corner), half = corner + other.size() / 2;
   SideRegion<double> region;
-  if (region.find({-view.gap,
-                   -view.from_start,
-                   of_self(second).u,
-                   of_self(self.before(view.at.side)),
-                   of_self(self.next(second)),
-                   {of_other(left), of_other(other.next(left))},
-                   {of_other(right), of_other(other.before(right))},
-                   of_other(half < other.size() ? half : half - other.size())})) {
-    const SideOverlap<double> found = region.measure();
-    if (found.area > 0x1p-900) {
-      if (options.patch) frame.set_patch(found.u, found.h, std::max(0.0, found.spread), c.patch);
-      const double least = least_depth * smaller;
-      if (!options.measure || !(found.section > least && found.variance > 0 && found.depth > least)) return;
-      const Vec3d force = frame.direction(found.force.u, found.force.h);
-      const double sign = of_a ? 1 : -1;
-      c.measure = line_of_action({.depth = found.depth,
-                                  .force = sign * force,
-                                  .moment = {0, 0, sign * found.moment},
-                                  .centroid = frame.point(found.u, found.h)});
-      rescale(c.measure, up);
-      return;
-    }
-  }
-  if (options.patch) clipped_patch(view, frame, c.patch);
-  if (options.measure && outlines_depth(of_a ? self : other, of_a ? other : self, smaller, c.measure))
+  if (!region.find({-view.gap,
+                    -view.from_start,
+                    of_self(second).u,
+                    of_self(self.before(view.at.side)),
+                    of_self(self.next(second)),
+                    {of_other(left), of_other(other.next(left))},
+                    {of_other(right), of_other(other.before(right))},
+                    of_other(half < other.size() ? half : half - other.size()),
+                    self.is_cut(self.before(view.at.side)),
+                    self.is_cut(second),
+                    {other.is_cut(corner), other.is_cut(left)},
+                    {other.is_cut(right), other.is_cut(other.before(right))}}))
+    return false;
+  const SideOverlap<double> found = region.measure();
+  if (!(found.area > 0x1p-900)) return false;
+  if (options.patch) frame.set_patch(found.u, found.h, std::max(0.0, found.spread), c.patch);
+  const double least = least_depth * smaller;
+  if (!options.measure || !(found.section > least && found.variance > 0 && found.depth > least)) return true;
+  const Vec3d force = frame.direction(found.force.u, found.force.h);
+  const double sign = view.at.kind == SideContact::side_of_a ? 1 : -1;
+  c.measure = line_of_action({.depth = found.depth,
+                              .force = sign * force,
+                              .moment = {0, 0, sign * found.moment},
+                              .centroid = frame.point(found.u, found.h)});
+  rescale(c.measure, up);
+  return true;
+}
+
+void polygon_patch(const SideView& view, double smaller, double up, const Options& options, Contact& c) {
+  if (corner_patch(view, smaller, up, options, c)) return;
+  if (options.patch) clipped_patch(view, Frame(view, up), c.patch);
+  const bool of_a = view.at.kind == SideContact::side_of_a;
+  if (options.measure &&
+      outlines_depth(of_a ? view.self : view.other, of_a ? view.other : view.self, smaller, c.measure))
     rescale(c.measure, up);
 }
 

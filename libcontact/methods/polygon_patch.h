@@ -13,6 +13,10 @@ struct SideView {
   double gap, from_start;
 };
 
+// Where the overlap lies about that corner alone (side_overlap.h): the patch in closed form and, on request, the depth.
+// False elsewhere; then nothing is set.
+bool corner_patch(const SideView& side, double smaller, double up, const Options& options, Contact& c);
+
 // To metres by `up`: the centroid of the area of the overlap and its spread along the side; on request the depth of
 // overlap_depth.h, `smaller` being the size of the smaller body in units. Leaves what it has no answer for.
 void polygon_patch(const SideView& side, double smaller, double up, const Options& options, Contact& c);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "libcontact/methods/planar_slope.h"
+#include "libcontact/methods/polygon_patch.h"
 #include "libcontact/methods/polygon_regions_smooth.h"
 #include "libcontact/methods/region_parts.h"
 
@@ -15,8 +16,10 @@ using shapes::Kind;
 using shapes::Polygon;
 using Part = Polygon::Part;
 
-// Sides of a piece: 2 · edge of a's outline, 2 · edge + 1 of b's; a cut has no number.
-std::uint32_t number_of(std::uint32_t edge, bool of_b) { return edge == no_edge ? no_edge : 2 * edge + (of_b ? 1 : 0); }
+// Sides of a piece: 2 · edge of a's outline, 2 · edge + 1 of b's; cuts likewise, their edge is the last number there
+// is.
+constexpr std::uint32_t cut_edge = no_edge / 2;
+std::uint32_t number_of(std::uint32_t edge, bool of_b) { return 2 * std::min(edge, cut_edge) + (of_b ? 1 : 0); }
 
 double radius(const PartsView& p) { return p.place.scale * p.shape.circumradius; }
 void measure(const PlanarOverlap& overlap, double size, Contact& c) {
@@ -33,28 +36,48 @@ struct Piece {
 class PolygonPair {
  public:
   PolygonPair(const PartsView& a, const PartsView& b, double size)
-      : a_(a), b_(b), size_(size), smaller_(std::min(radius(a), radius(b))) {}
+      : a_(a), b_(b), size_(size), smaller_(std::min(radius(a), radius(b))), least_(0.25 * smaller_) {}
 
-  void find(const Options& options, RegionList& list) {
+  // `sides`: of each region that the list takes.
+  void find(const Options& options, RegionList& list, PartSide* sides) {
     clip_parts();
     if (pieces_.size() == 0) return;
     if (pieces_.size() > 1) join();
     for (std::uint32_t i = 0; i < pieces_.size(); ++i)
-      if (groups_.of(i) == i) answer(i, options, list);
+      if (groups_.of(i) == i) answer(i, options, list, sides);
   }
+  // Parts that share no region are farther apart than this; not positive: not known.
+  double clearance() const { return least_ - margin_; }
 
  private:
   void clip_parts() {
-    const double margin = planar_half_width * size_;
     for (std::uint32_t i = 0; i < a_.count(); ++i) {
-      const Part& p = a_.part(i);
-      const Vec3d centre = a_.place.point(p.centre);
-      const double radius = a_.place.scale * p.radius;
+      const Vec3d centre = a_.place.point(a_.part(i).centre);
       for (std::uint32_t j = 0; j < b_.count(); ++j)
-        if (b_.near(j, centre, radius, margin) && !a_.beyond_side(p, b_, b_.part(j), margin) &&
-            !b_.beyond_side(b_.part(j), a_, p, margin))
-          clip(i, j);
+        if (!apart(i, j, centre)) clip(i, j);
     }
+  }
+
+  // Proves two parts apart, by their circles or by a side, with a margin for rounding, and takes note of by how much.
+  bool apart(std::uint32_t i, std::uint32_t j, const Vec3d& centre) {
+    const Part &p = a_.part(i), &q = b_.part(j);
+    const Vec3d d = b_.place.point(q.centre) - centre;
+    const double square = dot(d, d), reach = a_.place.scale * p.radius + b_.place.scale * q.radius,
+                 far = reach + std::max(least_, margin_);
+    if (square > far * far) return true;
+    double gap = square > reach * reach ? std::sqrt(square) - reach : 0;
+    if (gap < least_) gap = std::max(gap, a_.beyond_side(p, b_, q));
+    if (gap < least_) gap = std::max(gap, b_.beyond_side(q, a_, p));
+    if (!(gap > margin_)) return false;
+    least_ = std::min(least_, gap);
+    return true;
+  }
+  // The same of two that turned out to share nothing.
+  void look_apart(const Part& p, const Part& q) {
+    double gap = 0;
+    for (std::size_t k = 0; k < q.normals.size(); ++k) gap = std::max(gap, a_.over_side(p, b_, q, k));
+    for (std::size_t k = 0; k < p.normals.size(); ++k) gap = std::max(gap, b_.over_side(q, a_, p, k));
+    least_ = std::min(least_, gap);
   }
 
   void clip(std::uint32_t i, std::uint32_t j) {
@@ -66,7 +89,7 @@ class PolygonPair {
       const Vec3d n = b_.normal(q, k);
       cut(*region, n, b_.height(q, k, n), number_of(q.edge[k], true), *other);
       std::swap(region, other);
-      if (region->size() < 3) return;
+      if (region->size() < 3) return look_apart(p, q);
     }
     const auto first = static_cast<std::uint32_t>(corners_.size());
     for (const LoopCorner& c : *region) corners_.push_back(c);
@@ -124,21 +147,23 @@ class PolygonPair {
     }
   }
 
-  void answer(std::uint32_t group, const Options& options, RegionList& list) {
+  void answer(std::uint32_t group, const Options& options, RegionList& list, PartSide* sides) {
     Marks parts_a, parts_b;
     parts_a.assign(a_.count(), 0);
     parts_b.assign(b_.count(), 0);
-    AreaMoments moments;
-    PlanarOverlap overlap;
     const auto for_each_piece = [&](auto&& use) {
       for (std::uint32_t i = group; i < pieces_.size(); ++i)
         if (groups_.of(i) == group) use(pieces_[i]);
     };
-    for_each_piece([&](const Piece& p) { parts_a[p.part_a] = parts_b[p.part_b] = 1; });
+    std::uint32_t count = 0;
+    for_each_piece([&](const Piece& p) {
+      parts_a[p.part_a] = parts_b[p.part_b] = 1;
+      ++count;
+    });
     Depth least;
     least.value = std::numeric_limits<double>::infinity();
     Vec3d outward{};
-    bool of_b = false;
+    std::uint32_t edge = no_edge;
     const auto consider = [&](std::uint32_t side) {
       const bool second = side % 2 == 1;
       const PartsView &own = second ? b_ : a_, &other = second ? a_ : b_;
@@ -147,39 +172,80 @@ class PolygonPair {
       if (!(d.value < least.value)) return;
       least = d;
       outward = n;
-      of_b = second;
+      edge = side;
     };
     for_each_piece([&](const Piece& p) {
-      Corners region;
       for (std::uint32_t k = 0; k < p.count; ++k) {
         const LoopCorner &c = corners_[p.first + k], &next = corners_[p.first + (k + 1 == p.count ? 0 : k + 1)];
-        region.push_back(c);
-        if (c.side != no_edge && !(c.x == next.x)) consider(c.side);
+        if (c.side / 2 != cut_edge && !(c.x == next.x)) consider(c.side);
       }
-      if (options.patch) moments.add(region);
-      if (!options.measure) return;
-      overlap.add(region, [](std::uint32_t side) {
-        return side == no_edge ? PlanarOverlap::of_cut : side % 2 == 0 ? PlanarOverlap::of_a : PlanarOverlap::of_b;
-      });
     });
-    if (!(least.value < std::numeric_limits<double>::infinity())) return;  // between cuts: its neighbours answer
+    if (edge == no_edge) return;  // between cuts: its neighbours answer
+    const bool of_b = edge % 2 == 1;
     const Vec3d on_edge = least.corner + least.value * outward;
     Contact c = region_answer(-least.value, size_, of_b ? -outward : outward, of_b ? least.corner : on_edge,
                               of_b ? on_edge : least.corner);
-    if (options.patch) moments.patch(outward, c.patch);
-    if (options.measure) measure(overlap, smaller_, c);
-    list.add(c);
+    PartSide side;
+    if (count == 1 && (options.patch || options.measure))
+      side = about_corner(pieces_[group], edge, outward, options, c);
+    if (side.at.kind == SideContact::none) {
+      AreaMoments moments;
+      PlanarOverlap overlap;
+      for_each_piece([&](const Piece& p) {
+        Corners region;
+        for (std::uint32_t k = 0; k < p.count; ++k) region.push_back(corners_[p.first + k]);
+        if (options.patch) moments.add(region);
+        if (!options.measure) return;
+        overlap.add(region, [](std::uint32_t of) {
+          if (of / 2 == cut_edge) return of % 2 == 0 ? PlanarOverlap::cut_of_a : PlanarOverlap::cut_of_b;
+          return of % 2 == 0 ? PlanarOverlap::of_a : PlanarOverlap::of_b;
+        });
+      });
+      if (options.patch) moments.patch(outward, c.patch);
+      if (options.measure) measure(overlap, smaller_, c);
+    }
+    const std::size_t place = list.add(c);
+    if (place < max_regions) sides[place] = side;
+  }
+
+  // The patch and depth of a region that is one piece, where it lies about one corner behind an edge: the deepest of
+  // those within the part that the edge is of.
+  PartSide about_corner(const Piece& p, std::uint32_t edge, const Vec3d& out, const Options& options,
+                        Contact& c) const {
+    const bool of_b = edge % 2 == 1;
+    const Loop a(a_.part(p.part_a), a_.place), b(b_.part(p.part_b), b_.place);
+    const Loop &self = of_b ? b : a, &other = of_b ? a : b;
+    SideContact at{of_b ? SideContact::side_of_b : SideContact::side_of_a};
+    while (self.edges[at.side] != edge / 2) ++at.side;
+    double gap = 0;
+    for (std::uint32_t k = 0; k < other.size(); ++k) {
+      const Vec3d x = other.vertex(k);
+      if (const double over = height_over(self, at.side, x); over < gap && holds(self, x)) gap = over, at.corner = k;
+    }
+    const Vec3d along{-out.y, out.x, 0};
+    const double foot = dot_xy(along, other.vertex(at.corner)) - dot_xy(along, self.vertex(at.side));
+    if (!(gap < 0) || !corner_patch({self, other, at, out, gap, foot}, smaller_, 1, options, c)) return {};
+    return {at, p.part_a, p.part_b};
+  }
+  static double height_over(const Loop& p, std::uint32_t side, const Vec3d& x) {
+    const Vec3d n = p.normal(side);
+    return dot_xy(n, x) - p.height(side, n);
+  }
+  static bool holds(const Loop& p, const Vec3d& x) {
+    for (std::uint32_t i = 0; i < p.size(); ++i)
+      if (!(height_over(p, i, x) < 0)) return false;
+    return true;
   }
 
   const PartsView &a_, &b_;
-  double size_, smaller_;
+  double size_, smaller_, least_, margin_ = planar_half_width * size_;
   ShortList<Piece, 16> pieces_;
   ShortList<LoopCorner, 64> corners_;
   Groups groups_;
 };
 
 std::size_t pair_regions(const Placed<Polygon>& a, const Placed<Polygon>& b, const Vec3d& offset,
-                         const Options& options, Contact* out) {
+                         const Options& options, Contact* out, RegionSearch& search) {
   const double extent = max_abs(offset) + (a.scale * a.shape->circumradius + b.scale * b.shape->circumradius);
   if (!(a.scale > 0 && b.scale > 0 && extent_in_range(extent) && all_at_least(offset, -extent))) {
     out[0] = refused();
@@ -189,7 +255,9 @@ std::size_t pair_regions(const Placed<Polygon>& a, const Placed<Polygon>& b, con
   const PartsView view_a{*a.shape, placement(a, unit.down, {})};
   const PartsView view_b{*b.shape, placement(b, unit.down, unit.down * offset)};
   RegionList list(out, max_regions);
-  PolygonPair(view_a, view_b, 2 * extent * unit.down).find(options, list);
+  PolygonPair pair(view_a, view_b, 2 * extent * unit.down);
+  pair.find(options, list, search.side);
+  search.clearance = std::max(0.0, pair.clearance()) * unit.up;
   return list.finish(unit.up);
 }
 
@@ -254,7 +322,8 @@ bool is_cut(const Body& b) {
 
 bool meets_in_regions(const Body& a, const Body& b) { return is_cut(a) || is_cut(b); }
 
-std::size_t polygon_regions(const Body& a, const Body& b, const Vec3d& offset, const Options& options, Contact* out) {
+std::size_t polygon_regions(const Body& a, const Body& b, const Vec3d& offset, const Options& options, Contact* out,
+                            RegionSearch* search) {
   if (a.kind == Kind::disc && b.kind == Kind::polygon)
     return disc_regions(a.size.x, placed<Polygon>(b), offset, {out, max_regions});
   if (a.kind == Kind::ellipse && b.kind == Kind::polygon)
@@ -265,9 +334,17 @@ std::size_t polygon_regions(const Body& a, const Body& b, const Vec3d& offset, c
     out[0] = refused();
     return 1;
   }
-  if (!seen_from_b(offset)) return pair_regions(placed<Polygon>(a), placed<Polygon>(b), offset, options, out);
-  const std::size_t count = pair_regions(placed<Polygon>(b), placed<Polygon>(a), -offset, options, out);
-  for (std::size_t i = 0; i < count; ++i) out[i] = exchanged(out[i], offset);
+  RegionSearch unused;
+  RegionSearch& found = search == nullptr ? unused : *search;
+  if (!seen_from_b(offset)) return pair_regions(placed<Polygon>(a), placed<Polygon>(b), offset, options, out, found);
+  const std::size_t count = pair_regions(placed<Polygon>(b), placed<Polygon>(a), -offset, options, out, found);
+  for (std::size_t i = 0; i < count; ++i) {
+    out[i] = exchanged(out[i], offset);
+    PartSide& side = found.side[i];
+    std::swap(side.part_a, side.part_b);
+    if (side.at.kind != SideContact::none)
+      side.at.kind = side.at.kind == SideContact::side_of_a ? SideContact::side_of_b : SideContact::side_of_a;
+  }
   return count;
 }
 

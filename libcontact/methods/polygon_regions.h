@@ -14,15 +14,21 @@
 // to a second edge, and at once, with the depth that it has, where a corner has slid past a reflex corner beneath the
 // surface.
 //
+// On request the depth of overlap_depth.h. Where a region ends at a cut its chord ends midway between where what it has
+// of either outline does, and the cut moves with the body that it is of: the force is the slope of the depth there too.
+// Patch and depth of a region of two parts about one corner are in closed form (side_overlap.h); others are clipped.
+//
 // Bounds: 32 eps L on (2)–(4). Cost: pairs of parts whose circles meet, each a clip, and a few operations for every
-// other part. Not on the heap while convex parts have up to 16 corners, polygons up to 64 parts, and no more than 16
-// pairs of parts overlap. Tests: tests/libcontact/polygon_regions.cpp.
+// other part: two crosses in one region 1 us. Not on the heap while convex parts have up to 16 corners, polygons up to
+// 64 parts, and no more than 16 pairs of parts overlap. Tests: tests/libcontact/polygon_regions.cpp,
+// polygon_region_slope.cpp.
 #pragma once
 
 #include <cstddef>
 
 #include "libcontact/dispatch.h"
 #include "libcontact/export.h"
+#include "libcontact/methods/polygon_pair.h"
 
 namespace contact {
 
@@ -32,9 +38,21 @@ inline constexpr std::size_t max_regions = 8;
 // Whether one of the two is a polygon that is not convex: then the pair may touch in several regions.
 CONTACT_API bool meets_in_regions(const Body& a, const Body& b);
 
+// A corner of a convex part of one body behind a side of a part of the other; kind none: something else answered.
+struct PartSide {
+  SideContact at;
+  std::uint32_t part_a = 0, part_b = 0;
+};
+
+// What a search of two polygons learns beside the regions.
+struct RegionSearch {
+  double clearance = 0;        // m, proven: convex parts that share none are farther apart; 0: nothing is known
+  PartSide side[max_regions];  // of each region: what answered it, where it lies about one corner
+};
+
 // Overlapping regions of a pair in kind order, into out[0 … max_regions): their number. Polygon with disc, ellipse,
 // polygon or line. A pair out of range gives one answer, refused.
 CONTACT_API std::size_t polygon_regions(const Body& a, const Body& b, const Vec3d& offset, const Options& options,
-                                        Contact* out);
+                                        Contact* out, RegionSearch* search = nullptr);
 
 }  // namespace contact

@@ -29,10 +29,11 @@ class Groups {
   ShortList<std::uint32_t, 64> first_;
 };
 
-// Some material of a polygon: how deep its deepest corner lies behind a line, and that corner.
+// Some material of a polygon: how deep its deepest corner lies behind a line, and that corner: a vertex of a part.
 struct Depth {
   double value = -std::numeric_limits<double>::infinity();
   Vec3d corner{};
+  std::uint32_t part = 0, vertex = 0;
 };
 
 struct PartsView {
@@ -71,18 +72,23 @@ struct PartsView {
     return {place.cosine * direction.x + place.sine * direction.y,
             place.cosine * direction.y - place.sine * direction.x, 0};
   }
-  // All of a part lies beyond the side of part `q` of `of` that its middle is highest over, by more than `margin`.
-  [[gnu::always_inline]] bool beyond_side(const shapes::Polygon::Part& p, const PartsView& of,
-                                          const shapes::Polygon::Part& q, double margin) const {
+  // How far all of a part lies beyond the side of part `q` of `of` that its middle is highest over.
+  [[gnu::always_inline]] double beyond_side(const shapes::Polygon::Part& p, const PartsView& of,
+                                            const shapes::Polygon::Part& q) const {
     const Vec3d middle = of.in_frame(place.point(p.centre) - of.place.at);
     double top = -std::numeric_limits<double>::infinity();
     std::size_t side = 0;
     for (std::size_t k = 0; k < q.normals.size(); ++k)
       if (const double h = dot_xy(q.normals[k], middle) - of.place.scale * q.offsets[k]; h > top) top = h, side = k;
+    return over_side(p, of, q, side);
+  }
+  // How far all of a part lies beyond a side of part `q` of `of`; negative: not all does.
+  [[gnu::always_inline]] double over_side(const shapes::Polygon::Part& p, const PartsView& of,
+                                          const shapes::Polygon::Part& q, std::size_t side) const {
     const Vec3d n = of.normal(q, side), down = in_frame(n);
     double lowest = std::numeric_limits<double>::infinity();
     for (const Vec3d& v : p.vertices) lowest = std::min(lowest, dot_xy(down, v));
-    return place.scale * lowest + dot_xy(n, place.at) - of.height(q, side, n) > margin;
+    return place.scale * lowest + dot_xy(n, place.at) - of.height(q, side, n);
   }
 
   // Whether no region reaches across a seam: the other body holds a reflex corner of it.
@@ -98,9 +104,11 @@ struct PartsView {
     Depth depth;
     for (std::size_t i = 0; i < count(); ++i) {
       if (!marks[i]) continue;
-      for (const Vec3d& v : part(i).vertices) {
-        const Vec3d x = place.point(v);
-        if (const double d = h - dot(n, x); d > depth.value) depth = {d, x};
+      const auto& list = part(i).vertices;
+      for (std::size_t k = 0; k < list.size(); ++k) {
+        const Vec3d x = place.point(list[k]);
+        if (const double d = h - dot(n, x); d > depth.value)
+          depth = {d, x, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k)};
       }
     }
     return depth;
@@ -111,16 +119,19 @@ struct PartsView {
 class RegionList {
  public:
   RegionList(Contact* out, std::size_t capacity) : out_(out), capacity_(capacity) {}
-  void add(const Contact& c) {
+  // Its place in the list; `capacity` when it was left out.
+  std::size_t add(const Contact& c) {
     if (count_ < capacity_) {
-      out_[count_++] = c;
-      return;
+      out_[count_] = c;
+      return count_++;
     }
     full_ = true;
     std::size_t shallowest = 0;
     for (std::size_t i = 1; i < count_; ++i)
       if (out_[i].gap > out_[shallowest].gap) shallowest = i;
-    if (c.gap < out_[shallowest].gap) out_[shallowest] = c;
+    if (!(c.gap < out_[shallowest].gap)) return capacity_;
+    out_[shallowest] = c;
+    return shallowest;
   }
   std::size_t finish(double up) {
     for (std::size_t i = 0; i < count_; ++i) {

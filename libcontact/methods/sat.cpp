@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libcontact/dispatch.h"
 #include "libcontact/methods/expansion.h"
 #include "libcontact/methods/face_patch.h"
 #include "libcontact/methods/facet_depth.h"
@@ -68,45 +69,43 @@ struct Frame {
   double up;    // units -> metres
   double size;  // L
 
-  // An answer in metres. Every member is named: to clear it first would cost as much as a proof.
-  Contact form(double gap, double lower, double upper, const Vec3d& normal, const Vec3d& on_a, const Vec3d& on_b,
-               const Patch& patch, int iterations) const {
+  // An answer in metres, written where it is wanted: to clear or to copy one would cost as much as a proof.
+  void form(double gap, double lower, double upper, const Vec3d& normal, const Vec3d& on_a, const Vec3d& on_b,
+            const Patch& patch, int iterations, Contact& out) const {
     const double low = lower - polyhedron_rounding * size, high = upper + polyhedron_rounding * size;
-    const double* s = patch.spread;
-    const auto moment = [&](int i) { return s[i] * up * up; };
-    return {.status = low > 0 ? Status::separated : (high < 0 ? Status::overlapping : Status::touching),
-            .certified = true,
-            .gap = gap * up,
-            .gap_lower = low * up,
-            .gap_upper = high * up,
-            .normal = normal,
-            .point_a = up * on_a,
-            .point_b = up * on_b,
-            .patch = {.centre = up * patch.centre,
-                      .spread = {moment(0), moment(1), moment(2), moment(3), moment(4), moment(5)},
-                      .weight = patch.weight * up * up * up},
-            .method_overlap = -gap * up,
-            .method_normal = normal,
-            .method_point = up * (0.5 * (on_a + on_b)),
-            .iterations = iterations};
+    out.status = low > 0 ? Status::separated : (high < 0 ? Status::overlapping : Status::touching);
+    out.certified = true;
+    out.handed_over = false;
+    out.gap = gap * up;
+    out.gap_lower = low * up;
+    out.gap_upper = high * up;
+    out.normal = out.method_normal = normal;
+    out.point_a = up * on_a;
+    out.point_b = up * on_b;
+    out.patch.centre = up * patch.centre;
+    for (int i = 0; i < 6; ++i) out.patch.spread[i] = patch.spread[i] * up * up;
+    out.patch.weight = patch.weight * up * up * up;
+    out.method_overlap = -gap * up;
+    out.method_point = up * (0.5 * (on_a + on_b));
+    out.measure = {};
+    out.iterations = iterations;
   }
 };
 
 // `lower`, in metres, bounds the gap from below along a direction in world axes: nothing more is asked.
-Contact stopped_at(double lower, const Vec3d& normal) {
-  return {.status = Status::separated,
-          .certified = true,
-          .gap = lower,
-          .gap_lower = lower,
-          .gap_upper = infinity,
-          .normal = normal,
-          .point_a = {},
-          .point_b = {},
-          .patch = {.centre = {}, .spread = {0, 0, 0, 0, 0, 0}, .weight = 0},
-          .method_overlap = -lower,
-          .method_normal = normal,
-          .method_point = {},
-          .iterations = 0};
+void stop_at(double lower, const Vec3d& normal, Contact& out) {
+  out.status = Status::separated;
+  out.certified = true;
+  out.handed_over = false;
+  out.gap = out.gap_lower = lower;
+  out.gap_upper = infinity;
+  out.normal = out.method_normal = normal;
+  out.point_a = out.point_b = out.patch.centre = out.method_point = {};
+  for (double& moment : out.patch.spread) moment = 0;
+  out.patch.weight = 0;
+  out.method_overlap = -lower;
+  out.measure = {};
+  out.iterations = 0;
 }
 
 // A lower bound of the separation along n of A's frame, `back` in B's the other way, in metres. On large bodies by
@@ -179,8 +178,7 @@ bool measured(const DifferencePair& pair, const DifferenceFacet& facet, const Fa
       std::min(pair.self_scale * pair.self->circumradius, pair.other_scale * pair.other->circumradius);
   OverlapDepth depth;
   Patch patch;
-  if (!facet_depth(pair, facet, axis.normal, -axis.value, {frame.rotation_a, frame.rotation_b, frame.offset, smaller},
-                   depth, patch))
+  if (!facet_depth(pair, facet, axis, {frame.rotation_a, frame.rotation_b, frame.offset, smaller}, depth, patch))
     return false;
   const Vec3d normal = world_normal(pair, facet, axis, frame);
   Vec3d on_a, on_b;
@@ -192,16 +190,15 @@ bool measured(const DifferencePair& pair, const DifferenceFacet& facet, const Fa
     on_b = on_a + axis.value * normal;
   }
   if (facet.kind == DifferenceFacet::edges) patch = {0.5 * (on_a + on_b), {}};
-  out = frame.form(axis.value, axis.value, axis.value, normal, on_a, on_b, patch, 0);
+  frame.form(axis.value, axis.value, axis.value, normal, on_a, on_b, patch, 0, out);
   out.measure = depth;
   rescale(out.measure, frame.up);
   return true;
 }
 
-Contact overlap(const DifferencePair& pair, const DifferenceFacet& facet, const FacetAxis& axis, const Frame& frame,
-                bool measure) {
-  Contact out;
-  if (measure && measured(pair, facet, axis, frame, out)) return out;
+void overlap(const DifferencePair& pair, const DifferenceFacet& facet, const FacetAxis& axis, const Frame& frame,
+             bool measure, Contact& out) {
+  if (measure && measured(pair, facet, axis, frame, out)) return;
   const Vec3d normal = world_normal(pair, facet, axis, frame);
   Vec3d on_a, on_b;
   Patch patch;
@@ -215,32 +212,35 @@ Contact overlap(const DifferencePair& pair, const DifferenceFacet& facet, const 
     on_b = frame.rotation_a * (axis.on_a + axis.value * axis.normal);
     patch.centre = 0.5 * (on_a + on_b);
   }
-  return frame.form(axis.value, axis.value, axis.value, normal, on_a, on_b, patch, 0);
+  frame.form(axis.value, axis.value, axis.value, normal, on_a, on_b, patch, 0, out);
 }
 
 // The distance, from a direction along which the bodies do not overlap.
-Contact distance(const PolyhedronPair& pair, const Vec3d& direction, const Separation& at, const Frame& frame,
-                 const Memory& memory) {
+void distance(const PolyhedronPair& pair, const Vec3d& direction, const Separation& at, const Frame& frame,
+              const Memory& memory, Contact& out) {
   const PolyhedronDistance found = polyhedron_distance(pair, direction, at, frame.size);
   memory.keep(found.normal, found.at);
   const Vec3d on_a = frame.rotation_a * found.on_self, on_b = frame.rotation_a * found.on_other;
   Patch patch;
   patch.centre = 0.5 * (on_a + on_b);
-  return frame.form(0.5 * (found.lower + found.upper), found.lower, found.upper, frame.rotation_a * found.normal, on_a,
-                    on_b, patch, found.iterations);
+  frame.form(0.5 * (found.lower + found.upper), found.lower, found.upper, frame.rotation_a * found.normal, on_a, on_b,
+             patch, found.iterations, out);
 }
 
-Contact solve(const Solid& a, const Solid& b, const Vec3d& offset, const Options& options, const Memory& memory) {
+void refuse(Contact& out) { out = refused(); }
+
+void solve(const Solid& a, const Solid& b, const Vec3d& offset, const Options& options, const Memory& memory,
+           Contact& out) {
   const double radius_a = a.scale * a.shape->circumradius, radius_b = b.scale * b.shape->circumradius;
   const double extent = max_abs(offset) + (radius_a + radius_b);
-  if (!(a.scale > 0 && b.scale > 0 && extent_in_range(extent) && all_at_least(offset, -extent))) return refused();
+  if (!(a.scale > 0 && b.scale > 0 && extent_in_range(extent) && all_at_least(offset, -extent))) return refuse(out);
   const Scale unit = scale_of(extent);
   const Vec3d d_world = unit.down * offset;
   const double length = norm(d_world), reach = unit.down * (radius_a + radius_b);
   const Frame frame{a.rotation, b.rotation, d_world, unit.up, length + reach};
   const double enough = options.overlap_only ? proof_margin(frame.size) : infinity;
   const auto apart_along = [&](double value, const Vec3d& world) {
-    return stopped_at((value - polyhedron_rounding * frame.size) * unit.up, world);
+    stop_at((value - polyhedron_rounding * frame.size) * unit.up, world, out);
   };
   const DifferencePair pair(
       {a.shape,
@@ -258,7 +258,7 @@ Contact solve(const Solid& a, const Solid& b, const Vec3d& offset, const Options
   }
   const auto apart_at = [&](const Vec3d& n, const Separation& at) {
     memory.keep(n, at);
-    return apart_along(at.value, a.rotation * n);
+    apart_along(at.value, a.rotation * n);
   };
   DifferenceFacet facet = memory.facet();
   FacetAxis axis{};
@@ -273,37 +273,46 @@ Contact solve(const Solid& a, const Solid& b, const Vec3d& offset, const Options
         const Vec3d n = apart * (1 / std::sqrt(square));
         const Separation at = pair.separation(n);
         if (at.value > enough) return apart_at(n, at);
-        if (at.value > 0) return distance(pair, n, at, frame, memory);
+        if (at.value > 0) return distance(pair, n, at, frame, memory, out);
       }
       facet = search_all(pair, enough);
-      if (facet.kind == DifferenceFacet::none) return refused();  // nothing compares: a rotation is not finite
+      if (facet.kind == DifferenceFacet::none) return refuse(out);  // nothing compares: a rotation is not finite
       axis = axis_of(pair, facet);
-      if (!(std::abs(axis.value) <= 8)) return refused();
+      if (!(std::abs(axis.value) <= 8)) return refuse(out);
       const Separation at = pair.separation(axis.normal);
       if (axis.value > enough && at.value > enough) return apart_at(axis.normal, at);
-      if (axis.value > -polyhedron_rounding * frame.size) return distance(pair, axis.normal, at, frame, memory);
+      if (axis.value > -polyhedron_rounding * frame.size) return distance(pair, axis.normal, at, frame, memory, out);
     }
   }
   memory.keep(facet);
-  return overlap(pair, facet, axis, frame, options.measure);
+  overlap(pair, facet, axis, frame, options.measure, out);
 }
 
-Contact answer(const Solid& a, const Solid& b, const Vec3d& offset, const Options& options, Cache* cache) {
-  if (!seen_from_b(offset)) return solve(a, b, offset, options, {cache, false, a, b});
-  Contact c = solve(b, a, -offset, options, {cache, true, b, a});
-  exchange(c, offset);
-  return c;
+void answer(const Solid& a, const Solid& b, const Vec3d& offset, const Options& options, Cache* cache, Contact& out) {
+  if (options.overlap_only && cache != nullptr) {
+    double lower = 0;
+    Vec3d n{};
+    if (still_apart(a, b, offset, *cache, lower, n)) return stop_at(lower, n, out);
+  }
+  if (!seen_from_b(offset)) return solve(a, b, offset, options, {cache, false, a, b}, out);
+  solve(b, a, -offset, options, {cache, true, b, a}, out);
+  exchange(out, offset);
 }
 
 }  // namespace
 
 Contact Sat::query(const Placed<shapes::Polyhedron>& a, const Placed<shapes::Polyhedron>& b, const Vec3d& offset,
                    const Options& options, Cache* cache) {
-  double lower = 0;
-  Vec3d n{};
-  if (options.overlap_only && cache != nullptr && still_apart(a, b, offset, *cache, lower, n))
-    return stopped_at(lower, n);
-  return answer(a, b, offset, options, cache);
+  Contact out;
+  answer(a, b, offset, options, cache, out);
+  return out;
+}
+
+void Sat::query_chunk(KindPair<shapes::Polyhedron, shapes::Polyhedron>, std::size_t n, const Body* a, const Body* b,
+                      const Vec3d* offset, const Options& options, Cache* cache, Contact* out) {
+  for (std::size_t i = 0; i < n; ++i)
+    answer(placed<shapes::Polyhedron>(a[i]), placed<shapes::Polyhedron>(b[i]), offset[i], options,
+           cache != nullptr ? cache + i : nullptr, out[i]);
 }
 
 }  // namespace contact

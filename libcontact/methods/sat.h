@@ -23,6 +23,7 @@
 
 #include "libcontact/contact.h"
 #include "libcontact/export.h"
+#include "libcontact/methods/method.h"
 
 namespace contact {
 
@@ -32,6 +33,8 @@ struct CONTACT_API Sat {
   static constexpr const char* remark = "exact least translation over all face and edge axes; exact distance";
   static Contact query(const Placed<shapes::Polyhedron>& a, const Placed<shapes::Polyhedron>& b, const Vec3d& offset,
                        const Options& options, Cache* cache);
+  static void query_chunk(KindPair<shapes::Polyhedron, shapes::Polyhedron>, std::size_t n, const Body* a, const Body* b,
+                          const Vec3d* offset, const Options& options, Cache* cache, Contact* out);
 };
 
 }  // namespace contact

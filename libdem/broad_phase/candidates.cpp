@@ -166,6 +166,8 @@ bool fill_bins(World& world) {
       fresh.query = closed ? nullptr : detection::find(a, b, world.scene);
       fresh.wall = wall;
       fresh.regions = regions;
+      fresh.smooth = !wall && !regions && detection::is_smooth(a, b, world.scene) && !world.law.lingers &&
+                     world.scene.law.map != LawMap::volume;
       fresh.exact = closed || detection::agrees_with_proofs(a, b, world.scene);
       c.bins.push_back(std::move(fresh));
     }

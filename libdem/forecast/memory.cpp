@@ -64,7 +64,8 @@ Bytes bytes_of(const World& world) {
                  bytes(c.part_query) + bytes(c.share) + bytes(c.reference_orientation);
   for (const Bin& b : c.bins) {
     sum.contacts += bytes(b.records) + bytes(b.a_index) + bytes(b.b_index) + bytes(b.pair);
-    for (const auto* list : {&b.met.record, &b.met.a, &b.met.b, &b.met.pair, &b.met.seat}) sum.contacts += bytes(*list);
+    for (const auto* list : {&b.met.record, &b.met.a, &b.met.b, &b.met.pair, &b.met.seat, &b.met.place})
+      sum.contacts += bytes(*list);
   }
   sum.geometry = geometry_of(world);
   return sum;

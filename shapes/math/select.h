@@ -16,6 +16,7 @@ T select(const M& mask, const T& a, const T& b) {
     return r;
   }
 }
+inline bool all_of(bool lane) { return lane; }  // of packs: their own
 template <class T>
 T larger(const T& a, const T& b) {
   return select(a > b, a, b);

@@ -112,6 +112,26 @@ inline void expect_canonical(const Polyhedron& p) {
     }
     EXPECT_NEAR(p.face_rise[f], rise, 64 * eps * size);
   }
+  // The tip of the triangle over each edge lies in both of its faces, and on the border of one of them.
+  ASSERT_EQ(p.edge_tent.size(), p.edges.size());
+  for (std::uint32_t i = 0; i < p.edges.size(); ++i) {
+    const auto& edge = p.edges[i];
+    const Vec3d start = p.vertices[edge.vertex[0]], along = p.vertices[edge.vertex[1]] - start;
+    double least = 4 * size;
+    for (int side = 0; side < 2; ++side) {
+      const auto& face = p.faces[edge.face[side]];
+      const Vec3d up = cross(face.normal, side == 0 ? along : -along);
+      const Vec3d tip = start + 0.5 * along + (0.5 * std::sqrt(p.edge_tent[i])) * up;
+      for (std::uint32_t k = 0; k < face.count; ++k) {
+        const Vec3d& from = p.vertices[p.face_vertices[face.first + k]];
+        const Vec3d& to = p.vertices[p.face_vertices[face.first + (k + 1) % face.count]];
+        const Vec3d inward = normalized(cross(face.normal, to - from));
+        least = std::fmin(least, dot(inward, tip - from));
+      }
+    }
+    EXPECT_GE(least, 0);
+    EXPECT_LE(least, 0x1p-18 * size);
+  }
   ASSERT_EQ(p.lookup.size(), 6 * p.lookup_cells * p.lookup_cells);
   for (const std::uint32_t v : p.lookup) EXPECT_LT(v, p.vertices.size());
   double core = 4 * size;
