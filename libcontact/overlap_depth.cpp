@@ -51,13 +51,11 @@ bool polyhedra(const Body& a, const Body& b, const Vec3d& offset, const Vec3d& t
   if (std::max(of_a.along, of_b.along) >= 1 - 0x1p-40)
     facet = of_a.along > of_b.along ? DifferenceFacet{DifferenceFacet::face_of_a, of_a.face, ends[1].index}
                                     : DifferenceFacet{DifferenceFacet::face_of_b, ends[0].index, of_b.face};
-  FacetAxis axis{n, -depth, 0, {}, {}, {}};
+  FacetAxis axis{n, -depth, 0, {}};
   if (facet.kind == DifferenceFacet::face_of_a)
     axis.reach = foot_reach(pair, facet.a, pair.other_vertex(facet.b));
   else if (facet.kind == DifferenceFacet::face_of_b)
     axis.reach = foot_reach(pair.swapped(), facet.b, pair.swapped().other_vertex(facet.a));
-  else
-    axis.a = arc_of_self(pair, facet.a), axis.b = arc_of_other(pair, facet.b);
   Patch patch;
   if (!facet_depth(pair, facet, axis, {a.rotation, b.rotation, offset * (1 / up), smaller(a, b) / up}, out, patch))
     return false;

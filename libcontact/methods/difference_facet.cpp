@@ -12,22 +12,19 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// How low the vertices of p next to v, other than `except`, lie along m. No branch on what cannot be guessed.
-double lowest_neighbour(const shapes::Polyhedron& p, const Vec3d& m, std::uint32_t v, std::uint32_t except) {
-  double lowest = infinity;
-  const std::uint32_t end = p.first_spoke[v + 1];
-  for (std::uint32_t k = p.first_spoke[v]; k < end; ++k) {
+// The vertices of p next to v along m: the lowest of them, other than `except`.
+struct Next {
+  double value = infinity;
+  std::uint32_t vertex = 0;
+};
+Next lowest_neighbour(const shapes::Polyhedron& p, const Vec3d& m, std::uint32_t v, std::uint32_t except) {
+  Next next;
+  for (std::uint32_t k = p.first_spoke[v]; k < p.first_spoke[v + 1]; ++k) {
     const auto& spoke = p.spokes[k];
-    const double value = dot(m, spoke.to), counts = spoke.vertex == except ? infinity : value;
-    lowest = counts < lowest ? counts : lowest;
+    if (const double value = dot(m, spoke.to); spoke.vertex != except && value < next.value)
+      next = {value, spoke.vertex};
   }
-  return lowest;
-}
-// The vertex next to v that lies at this value of lowest_neighbour.
-std::uint32_t neighbour_at(const shapes::Polyhedron& p, const Vec3d& m, std::uint32_t v, double lowest) {
-  std::uint32_t k = p.first_spoke[v];
-  while (!(dot(m, p.spokes[k].to) == lowest) && k + 1 < p.first_spoke[v + 1]) ++k;
-  return p.spokes[k].vertex;
+  return next;
 }
 
 // The separation along n, with the height of the lowest of other's vertices and of self's highest in their own units.
@@ -48,16 +45,16 @@ Nearest prove_face(const PolyhedronPair& pair, const Vec3d& core, double core_ra
   const auto& f = self.faces[face];
   const Vec3d m = transposed_times(pair.other_to_self, f.normal);
   double low = dot(m, other.vertices[vertex]);
-  double next = lowest_neighbour(other, m, vertex, vertex);
-  while (next < low) {
-    vertex = neighbour_at(other, m, vertex, next);
-    low = next;
+  Next next = lowest_neighbour(other, m, vertex, vertex);
+  while (next.value < low) {
+    low = next.value;
+    vertex = next.vertex;
     next = lowest_neighbour(other, m, vertex, vertex);
   }
   axis.value = between(pair, f.normal, low, f.offset);
   axis.reach = foot_reach(pair, face, pair.other_vertex(vertex));
   if (!(axis.reach > 0)) return Nearest::elsewhere;
-  const double rise = std::min(pair.other_scale * (next - low), pair.self_scale * self.face_rise[face]);
+  const double rise = std::min(pair.other_scale * (next.value - low), pair.self_scale * self.face_rise[face]);
   return facet_is_alone(-axis.value, axis.reach, rise, f.normal, core, core_radius, size, enclosed) ? Nearest::proven
                                                                                                     : Nearest::open;
 }
@@ -70,8 +67,7 @@ Vec3d foot_on_edge(const Arc& a, double s, double square) {
 Nearest prove_edges(const DifferencePair& pair, std::uint32_t edge_a, std::uint32_t edge_b, FacetAxis& axis,
                     bool enclosed) {
   const shapes::Polyhedron &self = *pair.self, &other = *pair.other;
-  const Arc& a = axis.a = arc_of_self(pair, edge_a);
-  const Arc& b = axis.b = arc_of_other(pair, edge_b);
+  const Arc a = arc_of_self(pair, edge_a), b = arc_of_other(pair, edge_b);
   Vec3d along, n;
   double weight = 0;
   if (!arcs_cross(a, b, along, weight) || !arc_axis(a, b, along, weight, n)) return Nearest::open;
@@ -94,9 +90,9 @@ Nearest prove_edges(const DifferencePair& pair, std::uint32_t edge_a, std::uint3
       std::min(s_least * s_least / dot(b.direction, b.direction), t_least * t_least / dot(a.direction, a.direction)) /
       square);
   const double below_a =
-      std::min(lowest_neighbour(self, -n, va[0], va[1]), lowest_neighbour(self, -n, va[1], va[0])) + high;
+      std::min(lowest_neighbour(self, -n, va[0], va[1]).value, lowest_neighbour(self, -n, va[1], va[0]).value) + high;
   const double above_b =
-      std::min(lowest_neighbour(other, m, vb[0], vb[1]), lowest_neighbour(other, m, vb[1], vb[0])) - low;
+      std::min(lowest_neighbour(other, m, vb[0], vb[1]).value, lowest_neighbour(other, m, vb[1], vb[0]).value) - low;
   const double rise = std::min(pair.self_scale * below_a, pair.other_scale * above_b);
   return facet_is_alone(-axis.value, reach, rise, n, pair.core, pair.core_radius, pair.size, enclosed) ? Nearest::proven
                                                                                                        : Nearest::open;
@@ -106,20 +102,17 @@ Nearest prove_edges(const DifferencePair& pair, std::uint32_t edge_a, std::uint3
 
 double foot_reach(const PolyhedronPair& pair, std::uint32_t face, const Vec3d& point) {
   const auto& f = pair.self->faces[face];
-  double least = infinity, square = infinity,
-         length = 1;  // of the nearest side: square of the cross product, of the side
+  double square = infinity, length = 1;  // of the nearest side: square of the cross product, of the side
   const std::uint32_t* loop = pair.self->face_vertices.data() + f.first;
   Vec3d p = pair.self_vertex(loop[f.count - 1]);
   for (std::uint32_t k = 0; k < f.count; ++k) {
     const Vec3d q = pair.self_vertex(loop[k]), e = q - p;
-    const double within = dot(cross(f.normal, e), point - p), s = within * within, l = dot(e, e);
-    least = within < least ? within : least;
-    const bool nearer = s * length < square * l;
-    square = nearer ? s : square;
-    length = nearer ? l : length;
+    const double within = dot(cross(f.normal, e), point - p);
+    if (!(within > 0)) return 0;
+    if (const double s = within * within, l = dot(e, e); s * length < square * l) square = s, length = l;
     p = q;
   }
-  return least > 0 ? std::sqrt(square / length) : 0;
+  return std::sqrt(square / length);
 }
 
 FacetAxis axis_of(const DifferencePair& pair, const DifferenceFacet& facet) {
@@ -127,16 +120,12 @@ FacetAxis axis_of(const DifferencePair& pair, const DifferenceFacet& facet) {
     return {pair.self->faces[facet.a].normal,
             face_value(pair, facet.a, facet.b),
             foot_reach(pair, facet.a, pair.other_vertex(facet.b)),
-            {},
-            {},
             {}};
   if (facet.kind == DifferenceFacet::face_of_b) {
     const PolyhedronPair swapped = pair.swapped();
     return {-(pair.other_to_self * pair.other->faces[facet.b].normal),
             face_value(swapped, facet.b, facet.a),
             foot_reach(swapped, facet.b, swapped.other_vertex(facet.a)),
-            {},
-            {},
             {}};
   }
   const Arc a = arc_of_self(pair, facet.a), b = arc_of_other(pair, facet.b);
@@ -145,8 +134,7 @@ FacetAxis axis_of(const DifferencePair& pair, const DifferenceFacet& facet) {
   arcs_cross(a, b, along, weight);
   arc_axis(a, b, along, weight, n);
   const Vec3d c = cross(a.direction, b.direction);
-  return {n, pair.separation(n).value, 0, foot_on_edge(a, dot(cross(b.point - a.point, b.direction), c), dot(c, c)), a,
-          b};
+  return {n, pair.separation(n).value, 0, foot_on_edge(a, dot(cross(b.point - a.point, b.direction), c), dot(c, c))};
 }
 
 Nearest prove_nearest(const DifferencePair& pair, DifferenceFacet& facet, FacetAxis& axis, bool enclosed) {

@@ -6,7 +6,6 @@
 // Cost: 20–40 ns, for bodies of any number of faces. Tests: tests/libcontact/poly_proof.cpp.
 #pragma once
 
-#include "libcontact/methods/edge_arcs.h"
 #include "libcontact/methods/facet_alone.h"
 #include "libcontact/methods/polyhedron_pair.h"
 
@@ -23,7 +22,6 @@ struct FacetAxis {
   double value;  // separation along it
   double reach;  // of a face: foot_reach
   Vec3d on_a;    // of edges: the closest point of A's to B's line, within the edge, in A's frame
-  Arc a, b;      // of edges: they themselves
 };
 
 // A pair with what proofs and searches need besides.

@@ -23,12 +23,12 @@ bool under_face(const PolyhedronPair& pair, std::uint32_t face, std::uint32_t ve
     return corner_slope({c.corner, c.count}, c.n, c.depth, size, out);
   return depth_slope(overlap_under_face(pair, face, vertex), size, out);
 }
-bool of_edges(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other,
-              const FacetAxis& axis, double size, DepthSlope& out) {
-  const EdgesMeeting meeting(axis.a, axis.b);
+bool of_edges(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other, const Vec3d& n,
+              double depth, double size, DepthSlope& out) {
+  const EdgesMeeting meeting(pair, edge_of_self, edge_of_other);
   if (EdgesOverlap e; edges_alone(pair, meeting, edge_of_self, edge_of_other, e))
     return edges_slope(e.corner, e.normal, size, out);
-  return depth_slope(overlap_of_edges(pair, meeting, edge_of_self, edge_of_other, axis.normal, -axis.value), size, out);
+  return depth_slope(overlap_of_edges(pair, meeting, edge_of_self, edge_of_other, n, depth), size, out);
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ bool facet_depth(const PolyhedronPair& pair, const DifferenceFacet& facet, const
   const bool found = turned ? under_face(pair.swapped(), facet.a, facet.b, axis.reach, places.size, slope)
                      : facet.kind == DifferenceFacet::face_of_b
                          ? under_face(pair, facet.b, facet.a, axis.reach, places.size, slope)
-                         : of_edges(pair, facet.a, facet.b, axis, places.size, slope);
+                         : of_edges(pair, facet.a, facet.b, axis.normal, -axis.value, places.size, slope);
   if (!found) return false;
   const Mat3d& rotation = turned ? places.rotation_b : places.rotation_a;
   const Vec3d position = turned ? places.offset : Vec3d{};

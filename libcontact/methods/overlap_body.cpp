@@ -233,15 +233,18 @@ void OverlapBody::cut_by_other(const PolyhedronPair& pair, Except except) {
       [&](std::uint32_t i) { return face_of_other(pair, i); });
 }
 
-EdgesMeeting::EdgesMeeting(const Arc& a, const Arc& b)
-    : p(a.point),
-      e(a.direction),
-      q(b.point),
-      f(b.direction),
-      w(q - p),
-      of_a{a.n0, a.n1},
-      of_b{b.n0, b.n1},
-      found(false) {
+EdgesMeeting::EdgesMeeting(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other)
+    : found(false) {
+  const auto &a = pair.self->edges[edge_of_self], &b = pair.other->edges[edge_of_other];
+  p = pair.self_vertex(a.vertex[0]);
+  e = pair.self_vertex(a.vertex[1]) - p;
+  q = pair.other_vertex(b.vertex[0]);
+  f = pair.other_vertex(b.vertex[1]) - q;
+  w = q - p;
+  for (int i = 0; i < 2; ++i) {
+    of_a[i] = pair.self->faces[a.face[i]].normal;
+    of_b[i] = pair.other_to_self * pair.other->faces[b.face[i]].normal;
+  }
   const double rise_a[2] = {dot(of_b[0], e), dot(of_b[1], e)}, rise_b[2] = {dot(of_a[0], f), dot(of_a[1], f)};
   low = rise_a[0] < 0 ? 0 : 1;
   high = 1 - low;

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "libcontact/kernels/overlap_sums.h"
-#include "libcontact/methods/edge_arcs.h"
+#include "libcontact/methods/polyhedron_pair.h"
 #include "libcontact/methods/scratch_list.h"
 
 namespace contact {
@@ -40,7 +40,7 @@ struct EdgesMeeting {
   int low, high;           // self's edge runs in other from face `low` to face `high`
   bool found;              // false: the edges do not pass through each other, or pass nearly parallel
 
-  EdgesMeeting(const Arc& of_self, const Arc& of_other);
+  EdgesMeeting(const PolyhedronPair& pair, std::uint32_t edge_of_self, std::uint32_t edge_of_other);
   // Corners 0 and 1 on self's edge, 2 and 3 on other's, in the order of other's faces and self's; the faces there.
   void corners(Vec3d* x) const {
     x[0] = p + s[low] * e;
