@@ -22,8 +22,8 @@
 //
 // Source: own; the potential's form follows Y. T. Feng, Comput. Methods Appl. Mech. Eng. 373 (2021) 113493, with d in
 // the place of V. Validity: convex bodies, overlaps shallow against the bodies. Cost: 0.13 us
-// a cube on a wall; of pairs 0.15 us where one corner or two edges make all of the overlap, six of ten contacts in beds,
-// and 0.4 to 1 us elsewhere, the more faces the dearer. Accuracy: d to 64 eps L, L the pair's size. Test:
+// a cube on a wall; of pairs 0.15 us where one corner or two edges make all of the overlap, six of ten contacts in
+// beds, and 0.4 to 1 us elsewhere, the more faces the dearer. Accuracy: d to 64 eps L, L the pair's size. Test:
 // tests/libcontact/overlap_depth.cpp
 #pragma once
 
