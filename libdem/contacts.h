@@ -94,8 +94,8 @@ struct Bin {
 
 // The order in which a step goes through chunks of round pairs and through blocks of bodies; see sweep.h.
 struct Sweep {
-  std::uint32_t bin = none;  // whose chunks; none: there are none
-  std::size_t chunks = 0;    // of its Met: whole ones at the last rebuild
+  std::uint32_t bin = none;                // whose chunks; none: there are none
+  std::size_t chunks = 0;                  // of its Met: whole ones at the last rebuild
   std::vector<std::uint32_t> first, last;  // of each block of bodies: the chunks that its pairs lie between, or none
   std::vector<std::uint32_t> order;        // the blocks by their last chunk
 };

@@ -49,7 +49,7 @@ struct Scratch {
   contact::kernels::SmoothChunk smooth;
   contact::kernels::Lane clearance, overlap_before;
   std::uint32_t entry[chunk_size] = {};
-  std::uint32_t pair[chunk_size];  // the pair of materials that each lane of `law` holds
+  std::uint32_t pair[chunk_size];        // the pair of materials that each lane of `law` holds
   std::uint32_t pair_everywhere = none;  // that all of them hold, where that is known
   std::uint32_t record[chunk_size] = {}, seat[chunk_size] = {}, index_a[chunk_size] = {}, index_b[chunk_size] = {};
   std::vector<Tally> tally;  // by bin; last: the groups

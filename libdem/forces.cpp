@@ -1,5 +1,3 @@
-#include "libdem/pair_answers.h"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include "libdem/force_pass.h"
 #include "libdem/forces_polygons.h"
 #include "libdem/forces_smooth.h"
+#include "libdem/pair_answers.h"
 #include "libdem/regions.h"
 #include "libdem/sleep.h"
 
@@ -71,9 +70,18 @@ class PairPass : public SmoothPass {
       each_bit(all & ~now.touching & ~was, [&](std::size_t i) { silence(record[i]); });
     } else {
       const std::uint32_t slot = seat[0] + c_.double_seats, place = s.ring.place(slot);  // those of a chunk follow it
-      const contact::kernels::SphereContacts contacts{
-          p_.motion.data(),   a, b, seat, n, lattice_, &s.law.pair, dt_, &world_.law_options, c_.history.data(),
-          c_.slot.data() + c_.double_seats + place - slot, &s.overlap_before};
+      const contact::kernels::SphereContacts contacts{p_.motion.data(),
+                                                      a,
+                                                      b,
+                                                      seat,
+                                                      n,
+                                                      lattice_,
+                                                      &s.law.pair,
+                                                      dt_,
+                                                      &world_.law_options,
+                                                      c_.history.data(),
+                                                      c_.slot.data() + c_.double_seats + place - slot,
+                                                      &s.overlap_before};
       now = world_.law.hertzian ? set_.sphere_contacts_hertz(contacts) : set_.sphere_contacts_linear(contacts);
     }
     const std::uint32_t touching = now.touching & all;
@@ -116,7 +124,8 @@ class PairPass : public SmoothPass {
     s.overlap_before = l.history_overlap;
     prepare_stages(record, n, s);
     run_law(n, false, s);
-    if (lingers_) each_bit(now.touching, [&](std::size_t i) {
+    if (lingers_)
+      each_bit(now.touching, [&](std::size_t i) {
         if (i < n && over(i, s)) now.touching ^= std::uint32_t(1) << i;
       });
     set_.sphere_torques(s.spheres, l, n);
@@ -178,8 +187,8 @@ class PairPass : public SmoothPass {
       was |= static_cast<std::uint32_t>(c_.touching[records[i]] != 0 ? 1 : 0) << i;
     }
     const contact::kernels::PlaneContacts contacts{
-        p_.motion.data(), planes_.data(),       s.index_a,           s.index_b,       s.seat,           count,
-        &s.law.pair,      dt_,                  &world_.law_options, c_.history.data(), c_.slot.data(), &s.overlap_before};
+        p_.motion.data(),    planes_.data(),    s.index_a,      s.index_b,        s.seat, count, &s.law.pair, dt_,
+        &world_.law_options, c_.history.data(), c_.slot.data(), &s.overlap_before};
     const contact::kernels::SphereMeetings now =
         world_.law.hertzian ? set_.plane_contacts_hertz(contacts) : set_.plane_contacts_linear(contacts);
     const std::uint32_t touching = now.touching & lanes_below(count);
@@ -436,8 +445,6 @@ PairAnswers::~PairAnswers() = default;
 Tally PairAnswers::answer(Bin& bin, bool met, std::size_t first, std::size_t last, Scratch& s) const {
   return pass_->answer(bin, met, first, last, s);
 }
-bool PairAnswers::in_lanes(const Bin& bin) const {
-  return pass_->in_lanes(bin);
-}
+bool PairAnswers::in_lanes(const Bin& bin) const { return pass_->in_lanes(bin); }
 
 }  // namespace dem

@@ -49,8 +49,8 @@ void plan_sweep(World& world) {
                    [&](std::uint32_t x, std::uint32_t y) { return s.last[x] < s.last[y]; });
 }
 
-// Blocks that two threads share have all their chunks within the widest span of a block of the border between their ranges: those keep
-// places of their own.
+// Blocks that two threads share have all their chunks within the widest span of a block of the border between their
+// ranges: those keep places of their own.
 SlotRing ring_of(const World& world, std::size_t thread, std::size_t threads) {
   const Contacts& c = world.contacts;
   const Sweep& s = c.sweep;
@@ -78,10 +78,20 @@ BodyPass::BodyPass(World& world, const BodyStep& step)
     : step_(step), kernel_(body_kernel()), count_(world.particles.count()) {
   Particles& p = world.particles;
   Contacts& c = world.contacts;
-  arrays_ = {p.kind.data(),    p.motion.data(), p.orientation.data(), p.rotation.data(), p.angular_momentum.data(),
-             p.inertia.data(), p.force.data(),  p.torque.data(),
+  arrays_ = {reinterpret_cast<const std::uint8_t*>(p.kind.data()),
+             p.motion.data(),
+             p.orientation.data(),
+             p.rotation.data(),
+             p.angular_momentum.data(),
+             p.inertia.data(),
+             p.force.data(),
+             p.torque.data(),
              c.travel.empty() || c.stale ? nullptr : c.travel.data()};
-  step_.cell = &world.cell;
+  step_.uniform = uniform_kinds();
+  step_.periodic = world.cell.periodic;
+  step_.lower = world.cell.lower;
+  step_.centre = world.cell.centre;
+  step_.lattice = world.cell.lattice;
   step_.gravity = world.scene.gravity;
   step_.dt = world.time_step.dt;
   step_.deforms = world.cell.deforms;

@@ -5,6 +5,8 @@
 // So the bits are those of doing one thing after the other.
 #pragma once
 
+#include <algorithm>
+
 #include "libdem/integrators/bodies.h"
 #include "libdem/world.h"
 
@@ -33,6 +35,14 @@ inline bool in_one_range(const Sweep& s, std::size_t block, std::size_t threads)
 
 // Of a step whose contacts nobody looks at: a thread's slots in few places, which stay near; else there is none.
 SlotRing ring_of(const World& world, std::size_t thread, std::size_t threads);
+
+// BodyStep::uniform.
+constexpr std::uint64_t uniform_kinds() {
+  std::uint64_t kinds = 0;
+  for (std::size_t k = 0; k < shapes::kind_count; ++k)
+    kinds |= static_cast<std::uint64_t>(turns_uniformly(static_cast<shapes::Kind>(k)) ? 1 : 0) << k;
+  return kinds;
+}
 
 // The bodies' part of a step.
 class BodyPass {

@@ -58,7 +58,7 @@ struct LawChunk {
 };
 
 using LawKernel = void (*)(LawChunk& chunk, std::size_t count, double dt, const LawOptions& options);
-struct SphereMeetings {            // bit i: of the pair in lane i; those past `count` mean nothing
+struct SphereMeetings {        // bit i: of the pair in lane i; those past `count` mean nothing
   std::uint32_t touching = 0;  // it overlaps
   std::uint32_t turned = 0;    // its normal has turned by more than a right angle since that of its history
 };
@@ -122,9 +122,9 @@ struct StageSet;   // stages.h: any law of each family
 struct SmoothSet;  // smooth.h: contacts of ellipsoids and of ellipses
 
 struct KernelSet {
-  const char* name;                                     // sse2, avx2, avx512
-  SphereKernel spheres;                                 // before the law
-  SphereTorqueKernel sphere_torques;                    // after it
+  const char* name;                   // sse2, avx2, avx512
+  SphereKernel spheres;               // before the law
+  SphereTorqueKernel sphere_torques;  // after it
   SphereContactKernel sphere_contacts_hertz, sphere_contacts_linear;
   PlaneContactKernel plane_contacts_hertz, plane_contacts_linear;
   LawKernel hertz_mindlin, spring_dashpot;              // point contacts

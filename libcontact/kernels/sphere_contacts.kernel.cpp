@@ -102,7 +102,8 @@ struct Group {
     else
       act<false>(p, depth, c.dt, *c.options);
     on_a = select(touch, on_a, none);
-    store(select(touch, spring, none), select(touch, depth, zero), c.history, sizeof(History), c.seat + i, 0, c.count - i);
+    store(select(touch, spring, none), select(touch, depth, zero), c.history, sizeof(History), c.seat + i, 0,
+          c.count - i);
     store(select(touch, normal, none), zero, c.history, sizeof(History), c.seat + i, 1, c.count - i);
   }
 };
@@ -158,7 +159,8 @@ IN_LINE SphereMeetings spheres_with_planes(const PlaneContacts& c) {
       return vector_of(WRows::load(c.plane, sizeof(PlaneRows), c.b + i, row).turned());
     };
     const WRows x = body(0), v = body(1);
-    const V3 position = vector_of(x), spin = vector_of(body(2)), origin = plane(0), outward = plane(3), turning = plane(2);
+    const V3 position = vector_of(x), spin = vector_of(body(2)), origin = plane(0), outward = plane(3),
+             turning = plane(2);
     const W radius = x.d;
     Group<Normal> g;
     g.overlap = radius - dot(outward, position - origin);

@@ -1,5 +1,5 @@
-// What a step does with bodies alone, lanes across bodies: sums of what acts on them, the kick that ends a step, the kick
-// and the drift that begin one. In the order of `libdem/step.cpp`; any of the three parts may be left out.
+// What a step does with bodies alone, lanes across bodies: sums of what acts on them, the kick that ends a step, the
+// kick and the drift that begin one. In the order of `libdem/step.cpp`; any of the three parts may be left out.
 //   sum    F, T of a body: of its slots in the order of its list
 //   end    v += ½ dt (F/m + g), L += ½ dt T, ω of it; in a cell that deforms v is slowed by the flow before
 //   begin  the same kick, slowed after it; x += dt v, q turns freely (rotation.h), ∫ω dt; x into the periodic cell
@@ -10,9 +10,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "libcontact/kernels/lattice.h"
 #include "libcontact/kernels/records.h"
-#include "libdem/cell.h"
-#include "shapes/list.h"
 #include "shapes/math/quat.h"
 
 namespace dem {
@@ -24,7 +23,7 @@ struct CellStep {                 // of a cell that deforms, over one step; defo
 
 // The arrays of Particles (particles.h), by place.
 struct BodyArrays {
-  const shapes::Kind* kind;
+  const std::uint8_t* kind;  // shapes::Kind
   contact::Motion* motion;
   shapes::Quatd* orientation;
   shapes::Vec3d *rotation, *angular_momentum;
@@ -46,9 +45,9 @@ struct SlotRing {
 // What acts on bodies: each the sum of its slots in the order of its list.
 struct SumLists {
   const contact::Slot* slot;
-  const std::uint32_t* active;           // entry = slot · 2 + (1 when the body is b)
-  const std::uint32_t *start, *count;    // of the list of each body
-  bool far = false;                      // slots are too many for the caches near the core: fetch them ahead
+  const std::uint32_t* active;         // entry = slot · 2 + (1 when the body is b)
+  const std::uint32_t *start, *count;  // of the list of each body
+  bool far = false;                    // slots are too many for the caches near the core: fetch them ahead
   SlotRing ring{};
 };
 
@@ -58,12 +57,15 @@ struct BodyStep {
   bool deforms = false;
   double dt = 0;  // s
   shapes::Vec3d gravity{};
-  const Cell* cell = nullptr;
+  std::uint64_t uniform = 0;  // bit k: bodies of kind k keep their spin along their angular momentum (particles.h)
+  bool periodic = false;
+  shapes::Vec3d lower{}, centre{};  // of the cell (cell.h), m
+  contact::Lattice lattice{};
   CellStep flow{};
 };
 
 struct BodyTally {
-  double farthest = 0;  // m: way of the farthest body in `begin`; without `travel` its square
+  double farthest = 0;                // m: way of the farthest body in `begin`; without `travel` its square
   std::size_t bad = ~std::size_t(0);  // the first body whose position or velocity is not finite
 };
 

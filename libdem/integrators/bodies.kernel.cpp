@@ -1,8 +1,8 @@
 // Bodies in lanes, four at a time; compiled once per instruction set.
-#include "libcontact/kernels/rows.h"
 #include "libdem/integrators/bodies.h"
+
+#include "libcontact/kernels/rows.h"
 #include "libdem/integrators/rotation.h"
-#include "libdem/particles.h"
 
 // A kernel is one loop with everything in line. Under the address sanitizer that takes minutes to compile.
 #ifdef __SANITIZE_ADDRESS__
@@ -82,9 +82,9 @@ IN_LINE Row floored(const Row& x) {
 struct Turning {
   bool all = true, none = true;
   Four::Mask uniform{};
-  IN_LINE explicit Turning(const shapes::Kind* kind) {
+  IN_LINE Turning(std::uint64_t uniform_kinds, const std::uint8_t* kind) {
     for (int k = 0; k < 4; ++k) {
-      const bool u = turns_uniformly(kind[k]);
+      const bool u = (uniform_kinds >> kind[k] & 1) != 0;
       uniform.bits[k] = u ? -1 : 0;
       all = all && u;
       none = none && !u;
@@ -124,16 +124,16 @@ struct Group {
   IN_LINE Row drift(Row& position, const Row& velocity) const {
     const Row before = position, moving{1, 1, 1, 0};
     if (s.deforms) {
-      const Row centre = row_of(s.cell->centre, 0), scale = row_of(s.flow.scale, 1);
+      const Row centre = row_of(s.centre, 0), scale = row_of(s.flow.scale, 1);
       const Row way = velocity * (moving * (0.5 * s.dt));
       position = centre + (position + way - centre) * scale + way;
     } else {
       position = position + velocity * (moving * s.dt);
     }
     const Row moved = position - before;
-    if (s.cell->periodic) {
-      const Row n = floored((position - row_of(s.cell->lower, 0)) * row_of(s.cell->lattice.inverse, 0));
-      position = position - n * row_of(s.cell->lattice.length, 0);
+    if (s.periodic) {
+      const Row n = floored((position - row_of(s.lower, 0)) * row_of(s.lattice.inverse, 0));
+      position = position - n * row_of(s.lattice.length, 0);
     }
     return moved;
   }
@@ -143,8 +143,12 @@ template <bool sums>
 IN_LINE void four_bodies(const BodyArrays& p, const SumLists& lists, const BodyStep& s, std::size_t i,
                          std::size_t present, BodyTally& tally, Four& farthest) {
   Motion* m = p.motion + i;
-  Group g{s, {row(m[0], 0), row(m[1], 0), row(m[2], 0), row(m[3], 0)},
-          {row(m[0], 1), row(m[1], 1), row(m[2], 1), row(m[3], 1)}, {}, {}, {}};
+  Group g{s,
+          {row(m[0], 0), row(m[1], 0), row(m[2], 0), row(m[3], 0)},
+          {row(m[0], 1), row(m[1], 1), row(m[2], 1), row(m[3], 1)},
+          {},
+          {},
+          {}};
   if constexpr (sums) {
     add_slots(lists, i, g.f.a, g.t.a);
     add_slots(lists, i + 1, g.f.b, g.t.b);
@@ -160,13 +164,13 @@ IN_LINE void four_bodies(const BodyArrays& p, const SumLists& lists, const BodyS
     g.t = load_rows(p.torque + i);
   }
   g.momentum = load(p.angular_momentum + i);
-  const Turning turning(p.kind + i);
+  const Turning turning(s.uniform, p.kind + i);
   const V inertia = load(p.inertia + i);
-  const Rows turned = Rows{reinterpret_cast<const LooseRow&>(p.orientation[i]),
-                           reinterpret_cast<const LooseRow&>(p.orientation[i + 1]),
-                           reinterpret_cast<const LooseRow&>(p.orientation[i + 2]),
-                           reinterpret_cast<const LooseRow&>(p.orientation[i + 3])}
-                          .turned();
+  const Rows turned =
+      Rows{reinterpret_cast<const LooseRow&>(p.orientation[i]), reinterpret_cast<const LooseRow&>(p.orientation[i + 1]),
+           reinterpret_cast<const LooseRow&>(p.orientation[i + 2]),
+           reinterpret_cast<const LooseRow&>(p.orientation[i + 3])}
+          .turned();
   const Q before{turned.a, turned.b, turned.c, turned.d};
   if (s.end) {
     if (s.deforms) g.slow();
@@ -176,8 +180,7 @@ IN_LINE void four_bodies(const BodyArrays& p, const SumLists& lists, const BodyS
   if (s.begin) {
     g.kick();
     if (s.deforms) g.slow();
-    const V moved =
-        lanes({g.drift(g.x.a, g.v.a), g.drift(g.x.b, g.v.b), g.drift(g.x.c, g.v.c), g.drift(g.x.d, g.v.d)});
+    const V moved = lanes({g.drift(g.x.a, g.v.a), g.drift(g.x.b, g.v.b), g.drift(g.x.c, g.v.c), g.drift(g.x.d, g.v.d)});
     Q q;
     if (turning.all) {
       spin = g.momentum * (Four(1.0) / inertia.x);
@@ -239,7 +242,7 @@ IN_LINE void four_bodies(const BodyArrays& p, const SumLists& lists, const BodyS
 
 // Four bodies of their own, for those that are left over: the last of them fill the places up.
 struct LeftOver {
-  shapes::Kind kind[4];
+  std::uint8_t kind[4];
   Motion motion[4];
   Quatd orientation[4];
   Vec3d rotation[4], angular_momentum[4], inertia[4], force[4], torque[4];
@@ -273,7 +276,8 @@ IN_LINE void left_over(const BodyArrays& p, const SumLists& lists, const BodySte
   BodyTally found;
   four_bodies<sums>({own.kind, own.motion, own.orientation, own.rotation, own.angular_momentum, own.inertia, own.force,
                      own.torque, p.travel != nullptr ? own.travel : nullptr},
-                    {lists.slot, lists.active, own.start, own.count, false, lists.ring}, s, 0, present, found, farthest);
+                    {lists.slot, lists.active, own.start, own.count, false, lists.ring}, s, 0, present, found,
+                    farthest);
   each([&](const auto* from, auto* to) {
     for (std::size_t k = 0; k < present; ++k) to[i + k] = from[k];
   });

@@ -4,8 +4,8 @@
 // the orientation moves. Each rotation by the angle φ is done as the Cayley map tan(φ'/2) = φ/2: an angle that depends
 // on the conserved πᵢ alone, so the map stays symplectic and reversible, of second order, and needs no trigonometry.
 // Source of the splitting: Dullweber, Leimkuhler, McLachlan, J. Chem. Phys. 107 (1997) 5840. Error O(h²), energy
-// without drift. Over any scalar: double, or lanes across bodies (bodies.kernel.cpp), with the same bits. Cost about 150
-// flops. Tests: tests/libdem/rotation.cpp
+// without drift. Over any scalar: double, or lanes across bodies (bodies.kernel.cpp), with the same bits. Cost about
+// 150 flops. Tests: tests/libdem/rotation.cpp
 #pragma once
 
 #include "shapes/math/quat.h"

@@ -157,8 +157,8 @@ TEST(SphereContacts, InOneGoAreTheSameBits) {
       const bool hertz = seed % 2 == 0;
       const Lattice* lattice = seed % 3 == 0 ? &box : nullptr;
       Lane before;
-      const SphereContacts contacts{one.motion.data(), one.a,         one.b,  one.seat,     one.count,
-                                    lattice,           &one.pair,     one.dt, &one.options, one.history.data(),
+      const SphereContacts contacts{one.motion.data(), one.a,     one.b,  one.seat,     one.count,
+                                    lattice,           &one.pair, one.dt, &one.options, one.history.data(),
                                     one.slot.data(),   &before};
       const SphereMeetings got = (hertz ? set->sphere_contacts_hertz : set->sphere_contacts_linear)(contacts);
       for (std::size_t i = 0; i < one.count; ++i) EXPECT_EQ(before[i], other.history[one.seat[i]].overlap);
@@ -196,9 +196,9 @@ TEST(SphereContacts, WithPlanesInOneGoAreTheSameBits) {
       Index wall[chunk_size];
       for (std::size_t i = 0; i < chunk_size; ++i) wall[i] = one.b[i] % 3;
       Lane before;
-      const PlaneContacts contacts{one.motion.data(), one.plane.data(), one.a,  wall,         one.seat,
-                                   one.count,         &one.pair,        one.dt, &one.options, one.history.data(),
-                                   one.slot.data(),   &before};
+      const PlaneContacts contacts{one.motion.data(), one.plane.data(),   one.a,           wall,
+                                   one.seat,          one.count,          &one.pair,       one.dt,
+                                   &one.options,      one.history.data(), one.slot.data(), &before};
       const SphereMeetings got = (hertz ? set->plane_contacts_hertz : set->plane_contacts_linear)(contacts);
       const std::uint32_t expected = stage_by_stage(*set, hertz, other);
       SCOPED_TRACE(std::string(set->name) + ", case " + std::to_string(seed));

@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "libcontact/kernels/chunk.h"
+#include "libdem/cell.h"
 #include "libdem/coherence.h"
 #include "libdem/integrators/rotation.h"
 #include "libdem/particles.h"
+#include "libdem/sweep.h"
 
 namespace dem {
 namespace {
@@ -50,8 +52,15 @@ struct Bodies {
   }
 
   BodyArrays arrays(bool travels) {
-    return {kind.data(),    motion.data(), orientation.data(), rotation.data(), momentum.data(),
-            inertia.data(), force.data(),  torque.data(),      travels ? travel.data() : nullptr};
+    return {reinterpret_cast<const std::uint8_t*>(kind.data()),
+            motion.data(),
+            orientation.data(),
+            rotation.data(),
+            momentum.data(),
+            inertia.data(),
+            force.data(),
+            torque.data(),
+            travels ? travel.data() : nullptr};
   }
   SumLists lists() const { return {slot.data(), active.data(), start.data(), count.data(), true}; }
 };
@@ -62,7 +71,7 @@ bool same(const std::vector<T>& a, const std::vector<T>& b) {
 }
 
 // What bodies.h says, for body i.
-void advance_one(Bodies& b, const BodyStep& s, bool travels, std::size_t i, BodyTally& tally) {
+void advance_one(Bodies& b, const BodyStep& s, const Cell& cell, bool travels, std::size_t i, BodyTally& tally) {
   Motion& m = b.motion[i];
   Vec3d f = b.force[i], t = b.torque[i];
   if (s.sum) {
@@ -97,12 +106,12 @@ void advance_one(Bodies& b, const BodyStep& s, bool travels, std::size_t i, Body
     if (s.deforms) {
       m.velocity = scaled(m.velocity, s.flow.slowed);
       const Vec3d way = m.velocity * (0.5 * s.dt);
-      m.position = s.cell->centre + scaled(m.position + way - s.cell->centre, s.flow.scale) + way;
+      m.position = s.centre + scaled(m.position + way - s.centre, s.flow.scale) + way;
     } else {
       m.position += m.velocity * s.dt;
     }
     const Vec3d moved = m.position - before;
-    if (s.cell->periodic) s.cell->wrap(m.position);
+    if (s.periodic) cell.wrap(m.position);
     const Quatd turned = b.orientation[i];
     if (uniform) {
       set_spin();
@@ -145,9 +154,19 @@ TEST(Bodies, InLanesAreOneBodyAtATime) {
       for (const auto& kinds : mixtures)
         for (unsigned flags = 0; flags < 128; ++flags) {
           const Cell cell = box((flags & 8) != 0);
-          BodyStep s{.sum = (flags & 1) != 0, .end = (flags & 2) != 0, .begin = (flags & 4) != 0,
-                     .keep = (flags & 16) != 0, .deforms = (flags & 32) != 0, .dt = 0.5, .gravity = {0.5, -9, 0.25},
-                     .cell = &cell, .flow = {{0.9, 0.8, 0.7}, {1.1, 1.2, 0.9}}};
+          BodyStep s{.sum = (flags & 1) != 0,
+                     .end = (flags & 2) != 0,
+                     .begin = (flags & 4) != 0,
+                     .keep = (flags & 16) != 0,
+                     .deforms = (flags & 32) != 0,
+                     .dt = 0.5,
+                     .gravity = {0.5, -9, 0.25},
+                     .uniform = uniform_kinds(),
+                     .periodic = cell.periodic,
+                     .lower = cell.lower,
+                     .centre = cell.centre,
+                     .lattice = cell.lattice,
+                     .flow = {{0.9, 0.8, 0.7}, {1.1, 1.2, 0.9}}};
           const bool travels = (flags & 64) != 0;
           if (!s.sum && !s.end && !s.begin) continue;
           Bodies lanes(n, kinds, 1000 * n + flags);
@@ -156,7 +175,7 @@ TEST(Bodies, InLanesAreOneBodyAtATime) {
           const std::size_t first = n > 8 ? 3 : 0;
           BodyTally got, expected;
           body_kernel(set->name)(lanes.arrays(travels), lanes.lists(), s, first, n, got);
-          for (std::size_t i = first; i < n; ++i) advance_one(one, s, travels, i, expected);
+          for (std::size_t i = first; i < n; ++i) advance_one(one, s, cell, travels, i, expected);
           ++cases;
           SCOPED_TRACE(std::string(set->name) + ", " + std::to_string(n) + " bodies, flags " + std::to_string(flags));
           EXPECT_TRUE(same(lanes.motion, one.motion));
