@@ -10,6 +10,7 @@
 
 #include "libdem/analysis/in_run.h"
 #include "libdem/deformation.h"
+#include "libdem/forces.h"
 #include "libdem/io/files.h"
 #include "libdem/io/io.h"
 #include "libdem/render/render.h"
@@ -148,6 +149,8 @@ RunEnd run(World& world, const RunOptions& options, bool resumed) {
       }
     }
   } catch (const RunError& error) {
+    // Where bodies have moved on, forces were not kept: what is written is that of where they are.
+    if (world.ahead && !world.contacts.stale) compute_forces(world, options.threads, 0.0);
     output.state(world);
     output.summary(world, std::string("failed: ") + error.what());
     throw;

@@ -6,7 +6,6 @@
 // (bodies.h), and World::ahead says so: the bits are the same.
 #include <chrono>
 #include <cmath>
-#include <utility>
 
 #include "libdem/broad_phase/candidates.h"
 #include "libdem/build.h"
@@ -77,7 +76,7 @@ void advance(World& world, int threads, bool more) {
     start.flow = deform_box(world.cell, dt);
     book_flow(world, start.flow);
   }
-  if (!std::exchange(world.ahead, false)) note_way(world, move_bodies(world, threads, start));
+  if (!world.ahead) note_way(world, move_bodies(world, threads, start));
   ++world.step;
   world.times.integrate += seconds_since(begin);
 
@@ -98,20 +97,19 @@ void advance(World& world, int threads, bool more) {
   BodyStep end{.sum = true, .end = at_once, .flow = start.flow};
   end.begin = at_once && more && !looked_at;
   end.keep = !end.begin;
+  world.ahead = end.begin;
   BodyTally moved = compute_forces(world, threads, dt, end);
+  check_finite(world, moved);
   if (!at_once) {
     add_drag(world, threads, dt);
     moved = move_bodies(world, threads, {.end = true, .flow = start.flow});
+    check_finite(world, moved);
   }
   book_wall_loads(world, dt);
   check_inserted_walls(world);
 
   const auto rest = std::chrono::steady_clock::now();
-  check_finite(world, moved);
-  if (end.begin) {
-    note_way(world, moved);
-    world.ahead = true;
-  }
+  if (end.begin) note_way(world, moved);
   if (deforms) book_flow(world, start.flow);
   book_impulse(world, 0.5 * dt);
   if (deforms) finish_cell_step(world, threads, dt);
