@@ -20,6 +20,7 @@
 
 #include <cmath>
 
+#include "libcontact/kernels/flat.h"
 #include "shapes/math/select.h"
 
 namespace contact {
@@ -28,16 +29,6 @@ using shapes::all_of;
 using shapes::larger;
 using shapes::lesser;
 using shapes::select;
-
-template <class T>
-struct Flat {  // a vector of the plane
-  T x, y;
-  [[gnu::always_inline]] friend T dot(const Flat& u, const Flat& v) { return u.x * v.x + u.y * v.y; }
-  [[gnu::always_inline]] friend Flat operator+(const Flat& u, const Flat& v) { return {u.x + v.x, u.y + v.y}; }
-  [[gnu::always_inline]] friend Flat operator-(const Flat& u, const Flat& v) { return {u.x - v.x, u.y - v.y}; }
-  [[gnu::always_inline]] friend Flat operator*(const T& s, const Flat& u) { return {s * u.x, s * u.y}; }
-  [[gnu::always_inline]] Flat turned() const { return {-y, x}; }
-};
 
 template <class T>
 struct FlatEllipse {

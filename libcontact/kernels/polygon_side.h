@@ -14,20 +14,12 @@
 // Tests: tests/libcontact/polygon_lanes.cpp
 #pragma once
 
+#include "libcontact/kernels/flat.h"
 #include "libcontact/kernels/side_overlap.h"
 
 namespace contact {
 
 using shapes::lesser;
-
-template <class T>
-struct Flat {
-  T x, y;
-  [[gnu::always_inline]] friend Flat operator+(const Flat& a, const Flat& b) { return {a.x + b.x, a.y + b.y}; }
-  [[gnu::always_inline]] friend Flat operator-(const Flat& a, const Flat& b) { return {a.x - b.x, a.y - b.y}; }
-  [[gnu::always_inline]] friend Flat operator*(const T& s, const Flat& a) { return {s * a.x, s * a.y}; }
-  [[gnu::always_inline]] friend T dot(const Flat& a, const Flat& b) { return a.x * b.x + a.y * b.y; }
-};
 
 template <class T>
 struct FlatPlace {  // x -> at + scale · R x
