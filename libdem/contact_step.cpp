@@ -13,6 +13,7 @@
 #include "libdem/pair_answers.h"
 #include "libdem/sleep.h"
 #include "libdem/sweep.h"
+#include "libdem/wall_load.h"
 #include "libdem/walls.h"
 
 namespace dem {
@@ -228,6 +229,7 @@ BodyTally compute_forces(World& world, int threads, double dt, const BodyStep& t
   if (dt > 0) impacts.judge(step.changed);  // by the present poses
   const std::size_t judged = step.changed.size();
   sum_walls(world);
+  if (dt > 0) book_wall_loads(world, dt);
   step.sweep(BodyPass(world, then));
   if (!world.contacts.ledger.empty()) book_lost(world, step.changed);
   if (dt > 0) {

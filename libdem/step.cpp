@@ -105,7 +105,6 @@ void advance(World& world, int threads, bool more) {
     moved = move_bodies(world, threads, {.end = true, .flow = start.flow});
     check_finite(world, moved);
   }
-  book_wall_loads(world, dt);
   check_inserted_walls(world);
 
   const auto rest = std::chrono::steady_clock::now();
