@@ -1,6 +1,7 @@
 // Pairs of ellipses, lanes across pairs, compiled once per instruction set.
 #include "libcontact/kernels/ellipse_search.h"
 #include "libcontact/kernels/gather.h"
+#include "libcontact/kernels/in_line.h"
 #include "shapes/math/pack.h"
 
 namespace contact::kernels {
@@ -32,7 +33,7 @@ inline Pack height(const Pack& a, const Pack& b, const V& n) {  // n in the body
 }  // namespace
 
 // Each operation in the order of still_apart (planar_apart.h).
-__attribute__((flatten)) void ellipse_proofs(EllipseChunk& c, std::size_t count) {
+KERNEL_IN_LINE void ellipse_proofs(EllipseChunk& c, std::size_t count) {
   for (std::size_t i = 0; i < count; i += Pack::size()) {
     const FlatEllipse<Pack> a = load_body(c.a, i), b = load_body(c.b, i);
     const V n = load2(c.start, i), d = load2(c.d, i);
@@ -47,7 +48,7 @@ __attribute__((flatten)) void ellipse_proofs(EllipseChunk& c, std::size_t count)
   }
 }
 
-__attribute__((flatten)) void ellipse_search(EllipseChunk& c, std::size_t count, double tolerance) {
+KERNEL_IN_LINE void ellipse_search(EllipseChunk& c, std::size_t count, double tolerance) {
   for (std::size_t i = 0; i < count; i += Pack::size()) {
     const EllipseSearch<Pack> search(load_body(c.a, i), load_body(c.b, i), load2(c.d, i));
     const EllipseAnswer<Pack> r = search.solve(load2(c.start, i), tolerance);

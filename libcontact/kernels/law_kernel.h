@@ -9,19 +9,13 @@
 #pragma once
 
 #include "libcontact/kernels/chunk.h"
+#include "libcontact/kernels/in_line.h"
 #include "libcontact/laws/state.h"
 #include "libcontact/laws/tangential/coulomb_spring.h"
 #include "shapes/math/pack.h"
 
 #ifndef KERNEL_SET
 #define KERNEL_SET host
-#endif
-
-// A kernel is one loop with everything in line. Under the address sanitizer that takes minutes to compile.
-#ifdef __SANITIZE_ADDRESS__
-#define KERNEL_IN_LINE
-#else
-#define KERNEL_IN_LINE __attribute__((flatten))
 #endif
 
 namespace contact::kernels {

@@ -1,5 +1,6 @@
 // Sides of polygons under a corner, lanes across contacts, compiled once per instruction set.
 #include "libcontact/kernels/gather.h"
+#include "libcontact/kernels/in_line.h"
 #include "libcontact/kernels/polygon_side.h"
 #include "libcontact/kernels/rows.h"
 #include "shapes/math/pack.h"
@@ -157,8 +158,8 @@ template <bool parts>
 
 }  // namespace
 
-__attribute__((flatten)) std::uint32_t polygon_sides(const Motion* motion, const Lattice* lattice, PolygonChunk& c,
-                                                     std::size_t count, bool parts, LawChunk& law) {
+KERNEL_IN_LINE std::uint32_t polygon_sides(const Motion* motion, const Lattice* lattice, PolygonChunk& c,
+                                           std::size_t count, bool parts, LawChunk& law) {
   gather_rows(c, motion, count);
   std::uint32_t bits = 0;
   for (std::size_t i = 0; i < count; i += Pack::size())

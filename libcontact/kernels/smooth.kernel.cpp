@@ -4,6 +4,7 @@
 #include "libcontact/kernels/ellipse_search.h"
 #include "libcontact/kernels/ellipsoid_search.h"
 #include "libcontact/kernels/gather.h"
+#include "libcontact/kernels/in_line.h"
 #include "libcontact/kernels/rows.h"
 #include "shapes/math/pack.h"
 
@@ -164,7 +165,7 @@ template <class Meet>
   return rotation_matrix(shapes::Quat<Pack>{load(turn[0], i), load(turn[1], i), load(turn[2], i), load(turn[3], i)});
 }
 
-__attribute__((flatten)) SmoothMeetings ellipsoids(SmoothChunk& s, LawChunk& c, std::size_t count, double tolerance) {
+KERNEL_IN_LINE SmoothMeetings ellipsoids(SmoothChunk& s, LawChunk& c, std::size_t count, double tolerance) {
   return over_chunk(c, count, [&](std::size_t i, const V& start) {
     const V offset = load(s.offset, i), size_a = load(s.a.size, i), size_b = load(s.b.size, i);
     const Pack reach_a = largest(size_a), reach_b = largest(size_b);
@@ -194,7 +195,7 @@ __attribute__((flatten)) SmoothMeetings ellipsoids(SmoothChunk& s, LawChunk& c, 
   });
 }
 
-__attribute__((flatten)) SmoothMeetings ellipses(SmoothChunk& s, LawChunk& c, std::size_t count, double tolerance) {
+KERNEL_IN_LINE SmoothMeetings ellipses(SmoothChunk& s, LawChunk& c, std::size_t count, double tolerance) {
   using V2 = Flat<Pack>;
   return over_chunk(c, count, [&](std::size_t i, const V& start) {
     const V2 offset{load(s.offset.x, i), load(s.offset.y, i)};

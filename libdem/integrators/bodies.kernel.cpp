@@ -1,15 +1,9 @@
 // Bodies in lanes, four at a time; compiled once per instruction set.
 #include "libdem/integrators/bodies.h"
 
+#include "libcontact/kernels/in_line.h"
 #include "libcontact/kernels/rows.h"
 #include "libdem/integrators/rotation.h"
-
-// A kernel is one loop with everything in line. Under the address sanitizer that takes minutes to compile.
-#ifdef __SANITIZE_ADDRESS__
-#define KERNEL_IN_LINE
-#else
-#define KERNEL_IN_LINE __attribute__((flatten))
-#endif
 
 namespace dem {
 inline namespace KERNEL_SET {
