@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <vector>
 
@@ -61,6 +62,15 @@ struct Scratch {
   Vec3d arm_a[chunk_size], arm_b[chunk_size];
 };
 
+// visit(i) for each bit i that is set.
+template <class Visit>
+void each_bit(std::uint32_t bits, Visit visit) {
+  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
+}
+constexpr std::uint32_t lanes_below(std::size_t n) {
+  return n < chunk_size ? (std::uint32_t(1) << n) - 1 : ~std::uint32_t(0);
+}
+
 class ForcePass {
  public:
   ForcePass(World& world, double dt)
@@ -89,6 +99,15 @@ class ForcePass {
   }
 
  protected:
+  // What is read of body i of a pair that is not round.
+  [[gnu::always_inline]] void prefetch_body(std::size_t i) const {
+    __builtin_prefetch(&p_.motion[i]);
+    __builtin_prefetch(&p_.motion[i].spin);
+    __builtin_prefetch(&p_.orientation[i]);
+    __builtin_prefetch(&p_.size[i]);
+    __builtin_prefetch(&p_.inertia[i]);
+  }
+
   // To a tolerance, contact is what is proven: a search that stops early and a proof of separation agree on it.
   bool overlap(const contact::Contact& q) const { return (wanted_.tolerance > 0 ? q.gap_upper : q.gap) < 0; }
 

@@ -88,11 +88,7 @@ class PairPass : public SmoothPass {
     each_bit(touching & now.turned, [&](std::size_t i) { s.through.push_back(record[i]); });
     note_changes(record, touching, was, s);
     met.touching[chunk] = touching;
-    Tally t;
-    t.candidates = n;
-    t.touching = static_cast<std::size_t>(std::popcount(touching));
-    t.by_spheres = n - t.touching;
-    return t;
+    return tally_of(n, touching);
   }
 
   // What the chunk from `first` on will read.
@@ -157,8 +153,12 @@ class PairPass : public SmoothPass {
     if (by_volume_) apply_round_volumes(n, s);
   }
 
-  static std::uint32_t lanes_below(std::size_t n) {
-    return n < chunk_size ? (std::uint32_t(1) << n) - 1 : ~std::uint32_t(0);
+  static Tally tally_of(std::size_t count, std::uint32_t touching) {
+    Tally t;
+    t.candidates = count;
+    t.touching = static_cast<std::size_t>(std::popcount(touching));
+    t.by_spheres = count - t.touching;
+    return t;
   }
   // Of a chunk's records those that touch now and those that did.
   void note_changes(const std::uint32_t* record, std::uint32_t touching, std::uint32_t was, Scratch& s) const {
@@ -169,11 +169,6 @@ class PairPass : public SmoothPass {
         end(record[i], s.overlap_before[i], s);
     });
   }
-  template <class Visit>
-  static void each_bit(std::uint32_t bits, Visit visit) {
-    for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
-  }
-
   Tally sphere_planes(const Bin& bin, std::size_t first, std::size_t count, Scratch& s) const {
     const std::uint32_t* records = &bin.records[first];
     std::uint32_t was = 0;
@@ -193,11 +188,7 @@ class PairPass : public SmoothPass {
         world_.law.hertzian ? set_.plane_contacts_hertz(contacts) : set_.plane_contacts_linear(contacts);
     const std::uint32_t touching = now.touching & lanes_below(count);
     note_changes(records, touching, was, s);
-    Tally t;
-    t.candidates = count;
-    t.touching = static_cast<std::size_t>(std::popcount(touching));
-    t.by_spheres = count - t.touching;
-    return t;
+    return tally_of(count, touching);
   }
 
   Tally planes_in_stages(const Bin& bin, std::size_t first, std::size_t count, Scratch& s) const {
@@ -260,7 +251,7 @@ class PairPass : public SmoothPass {
       const std::size_t r = places[i], k = records[r];
       if (!c_.travel.empty() && travels(world_, bin, r) < c_.apart_until[k] && !may_hold(k)) continue;
       prefetch(k);
-      if (!bin.wall) prefetch_body(b[r]);
+      if (!bin.wall) prefetch_body(b[r]);  // those of its body a are as a rule at hand from the pair before
       s.entry[asked] = static_cast<std::uint32_t>(r);
       s.index_a[asked] = a[r];
       s.index_b[asked++] = bin.wall ? a[r] : b[r];  // a wall has no bounding sphere
@@ -380,15 +371,6 @@ class PairPass : public SmoothPass {
     __builtin_prefetch(&c_.history_of(k), 1);
     fetch(c_.slot[c_.slot_of(k)]);
     fetch(c_.slot[c_.slot_of_b(k)]);
-  }
-
-  // What is read of body b of a pair in question; those of its body a are as a rule at hand from the pair before.
-  [[gnu::always_inline]] void prefetch_body(std::size_t i) const {
-    __builtin_prefetch(&p_.motion[i]);
-    __builtin_prefetch(&p_.motion[i].spin);
-    __builtin_prefetch(&p_.orientation[i]);
-    __builtin_prefetch(&p_.size[i]);
-    __builtin_prefetch(&p_.inertia[i]);
   }
 
   // Beyond each other's middle. Sharp edges turn a normal by more than a right angle, regions change places; the slope

@@ -1,32 +1,18 @@
 #include "libdem/forces_smooth.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace dem {
-namespace {
-
-template <class Visit>
-void each_bit(std::uint32_t bits, Visit visit) {
-  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
-}
-
-}  // namespace
-
 SmoothPass::SmoothPass(World& world, double dt)
     : ForcePass(world, dt), bodies_{p_.motion.data(), p_.orientation.data(), p_.size.data(), p_.inertia.data()} {}
 
 // A quarter of what the chunk from `first` on reads and writes: all at once would wait for one another.
-void SmoothPass::fetch_ahead(const Met& met, std::size_t first, std::size_t quarter) const {
+[[gnu::always_inline]] inline void SmoothPass::fetch_ahead(const Met& met, std::size_t first,
+                                                           std::size_t quarter) const {
   constexpr std::size_t step = chunk_size / 4;
   const std::size_t last = std::min(first + (quarter + 1) * step, met.count);
   for (std::size_t i = first + quarter * step; i < last; ++i) {
-    const std::uint32_t b = met.b[i];
-    __builtin_prefetch(&p_.motion[b]);
-    __builtin_prefetch(&p_.motion[b].spin);
-    __builtin_prefetch(&p_.orientation[b]);
-    __builtin_prefetch(&p_.size[b]);
-    __builtin_prefetch(&p_.inertia[b]);
+    prefetch_body(met.b[i]);
     const Slot* slot = &c_.slot[c_.first_slot(met.seat[i])];
     __builtin_prefetch(&c_.history[met.seat[i]], 1);
     __builtin_prefetch(slot, 1);
@@ -72,7 +58,7 @@ std::size_t SmoothPass::answer_smooth(const Bin& bin, std::size_t chunk, std::ui
   fetch_ahead(met, first + chunk_size, 0);
   const contact::kernels::SmoothMeetings now = smooth.meet(pairs, l, n, wanted_.tolerance);
   good &= now.overlapping;
-  const std::uint32_t all = n < chunk_size ? (std::uint32_t(1) << n) - 1 : ~std::uint32_t(0);
+  const std::uint32_t all = lanes_below(n);
   double memory[chunk_size][contact::kernels::memory_words + 2];  // of lanes that are not good: laws, map, energy
   if (staged_) {
     good = prepare_stages(record, n, good, s);
