@@ -48,12 +48,9 @@ template <bool periodic>
     lane_of(s.radius_b, i) = pb.d;
     const Rows va = Rows::load(motion, sizeof(Motion), a + i, 1).turned();
     const Rows vb = Rows::load(motion, sizeof(Motion), b + i, 1).turned();
-    if constexpr (periodic) {  // as Lattice::flow
-      const shapes::Vec3d& g = lattice->rate;
-      put(c.velocity, i, (va.a - vb.a) - g.x * x, (va.b - vb.b) - g.y * y, (va.c - vb.c) - g.z * z);
-    } else {
-      put(c.velocity, i, va.a - vb.a, va.b - vb.b, va.c - vb.c);
-    }
+    Row vx = va.a - vb.a, vy = va.b - vb.b, vz = va.c - vb.c;
+    if constexpr (periodic) leave_flow(*lattice, x, y, z, vx, vy, vz);
+    put(c.velocity, i, vx, vy, vz);
     lane_of(c.mass_eff, i) = Row{1, 1, 1, 1} / (va.d + vb.d);
     const Rows wa = Rows::load(motion, sizeof(Motion), a + i, 2).turned();
     const Rows wb = Rows::load(motion, sizeof(Motion), b + i, 2).turned();

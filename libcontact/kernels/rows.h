@@ -134,13 +134,23 @@ struct RowsOf {
 };
 using Rows = RowsOf<4>;
 
-// Offsets of four pairs to the nearest image, as Lattice::nearest.
-[[gnu::always_inline]] inline void to_nearest(const Lattice& l, Row& x, Row& y, Row& z) {
+// Offsets of pairs to the nearest image, as Lattice::nearest; four or eight lanes.
+template <class Lanes>
+[[gnu::always_inline]] inline void to_nearest(const Lattice& l, Lanes& x, Lanes& y, Lanes& z) {
   const double big = Lattice::rounder;
-  const Row nx = (x * l.inverse.x + big) - big, ny = (y * l.inverse.y + big) - big, nz = (z * l.inverse.z + big) - big;
+  const Lanes nx = (x * l.inverse.x + big) - big, ny = (y * l.inverse.y + big) - big,
+              nz = (z * l.inverse.z + big) - big;
   x = x - nx * l.length.x;
   y = y - ny * l.length.y;
   z = z - nz * l.length.z;
+}
+// Velocities of pairs relative to the flow of the lattice between their centres, as Lattice::flow.
+template <class Lanes>
+[[gnu::always_inline]] inline void leave_flow(const Lattice& l, const Lanes& x, const Lanes& y, const Lanes& z,
+                                              Lanes& vx, Lanes& vy, Lanes& vz) {
+  vx = vx - l.rate.x * x;
+  vy = vy - l.rate.y * y;
+  vz = vz - l.rate.z * z;
 }
 
 }  // namespace KERNEL_SET

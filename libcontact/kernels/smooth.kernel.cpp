@@ -4,7 +4,7 @@
 #include "libcontact/kernels/ellipse_search.h"
 #include "libcontact/kernels/ellipsoid_search.h"
 #include "libcontact/kernels/gather.h"
-#include "libcontact/kernels/in_line.h"
+#include "libcontact/kernels/law_kernel.h"
 #include "libcontact/kernels/rows.h"
 #include "shapes/math/pack.h"
 
@@ -13,11 +13,8 @@ inline namespace KERNEL_SET {
 namespace {
 
 using shapes::Mat3;
-using shapes::Pack;
 using shapes::Quatd;
 using shapes::Vec3d;
-using V = shapes::Vec3<Pack>;
-using std::experimental::vector_aligned;
 
 [[gnu::always_inline]] inline Row& row_at(Lane& lane, std::size_t i) { return *reinterpret_cast<Row*>(&lane.v[i]); }
 template <bool planar>
@@ -75,10 +72,7 @@ template <bool planar, bool periodic>
     Rows v{va.a - vb.a, va.b - vb.b, va.c - vb.c, va.d + vb.d};
     if constexpr (periodic) {
       to_nearest(*lattice, d.a, d.b, d.c);
-      const Vec3d& g = lattice->rate;  // as Lattice::flow
-      v.a = v.a - g.x * d.a;
-      v.b = v.b - g.y * d.b;
-      v.c = v.c - g.z * d.c;
+      leave_flow(*lattice, d.a, d.b, d.c, v.a, v.b, v.c);
     }
     put<planar>(s.offset, i, d);
     put<planar>(c.velocity, i, v);
@@ -108,15 +102,6 @@ void gather(const SmoothBodies& bodies, const Index* a, const Index* b, std::siz
     gather_pairs<planar, true>(bodies, a, b, count, lattice, s, c);
   else
     gather_pairs<planar, false>(bodies, a, b, count, nullptr, s, c);
-}
-
-inline Pack load(const Lane& l, std::size_t i) { return Pack(&l.v[i], vector_aligned); }
-inline V load(const Lane3& l, std::size_t i) { return {load(l.x, i), load(l.y, i), load(l.z, i)}; }
-inline void store(Lane& l, std::size_t i, const Pack& p) { p.copy_to(&l.v[i], vector_aligned); }
-inline void store(Lane3& l, std::size_t i, const V& p) {
-  store(l.x, i, p.x);
-  store(l.y, i, p.y);
-  store(l.z, i, p.z);
 }
 
 // The power of two near the extent of pairs (scale.h), and its inverse.

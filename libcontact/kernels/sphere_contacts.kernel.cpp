@@ -115,19 +115,12 @@ IN_LINE SphereMeetings spheres_with_spheres(const SphereContacts& c) {
     const WRows xa = WRows::load(c.motion, sizeof(Motion), c.a + i, 0).turned(),
                 xb = WRows::load(c.motion, sizeof(Motion), c.b + i, 0).turned();
     V3 offset = vector_of(xb) - vector_of(xa);
-    if constexpr (periodic) {  // as Lattice::nearest
-      const W big(Lattice::rounder);
-      const shapes::Vec3d &l = c.lattice->length, &inverse = c.lattice->inverse;
-      offset.x = offset.x - ((offset.x * W(inverse.x) + big) - big) * W(l.x);
-      offset.y = offset.y - ((offset.y * W(inverse.y) + big) - big) * W(l.y);
-      offset.z = offset.z - ((offset.z * W(inverse.z) + big) - big) * W(l.z);
-    }
     const WRows va = WRows::load(c.motion, sizeof(Motion), c.a + i, 1).turned(),
                 vb = WRows::load(c.motion, sizeof(Motion), c.b + i, 1).turned();
     V3 velocity = vector_of(va) - vector_of(vb);
-    if constexpr (periodic) {  // as Lattice::flow
-      const shapes::Vec3d& g = c.lattice->rate;
-      velocity = velocity - V3{W(g.x) * offset.x, W(g.y) * offset.y, W(g.z) * offset.z};
+    if constexpr (periodic) {
+      to_nearest(*c.lattice, offset.x.v, offset.y.v, offset.z.v);
+      leave_flow(*c.lattice, offset.x.v, offset.y.v, offset.z.v, velocity.x.v, velocity.y.v, velocity.z.v);
     }
     const WRows wa = WRows::load(c.motion, sizeof(Motion), c.a + i, 2).turned(),
                 wb = WRows::load(c.motion, sizeof(Motion), c.b + i, 2).turned();
