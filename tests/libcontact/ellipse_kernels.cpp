@@ -2,7 +2,6 @@
 // pair; a search that begins elsewhere answers within the interval of a cold one.
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -12,15 +11,10 @@
 #include "libcontact/kernels/chunk.h"
 #include "libcontact/kernels/ellipse_search.h"
 #include "shapes/math/random.h"
+#include "tests/libcontact/same_bits.h"
 
 namespace contact {
 namespace {
-
-struct Pairs {
-  std::vector<Body> a, b;
-  std::vector<Vec3d> offset;
-  std::size_t size() const { return a.size(); }
-};
 
 // Apart, touching, deep, contained, on one centre, along an axis, needles, and no pairs at all.
 Pairs sample(std::uint64_t seed, std::size_t count) {
@@ -60,48 +54,22 @@ Pairs sample(std::uint64_t seed, std::size_t count) {
   return p;
 }
 
-bool same_bits(double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); }
-bool same_bits(const Vec3d& x, const Vec3d& y) {
-  return same_bits(x.x, y.x) && same_bits(x.y, y.y) && same_bits(x.z, y.z);
-}
-bool same(const Contact& x, const Contact& y) {
-  return x.status == y.status && x.certified == y.certified && same_bits(x.gap, y.gap) &&
-         same_bits(x.gap_lower, y.gap_lower) && same_bits(x.gap_upper, y.gap_upper) && same_bits(x.normal, y.normal) &&
-         same_bits(x.point_a, y.point_a) && same_bits(x.point_b, y.point_b) &&
-         same_bits(x.patch.centre, y.patch.centre) && x.iterations == y.iterations;
-}
-
 TEST(EllipseChunks, answer_as_one_by_one) {
   const ChunkQuery query = find(shapes::Kind::ellipse, shapes::Kind::ellipse);
   const Pairs p = sample(1, 1000);
-  int solved = 0, proven = 0, uncertified = 0, none = 0;
-  for (const Options& o : {Options{}, Options{.overlap_only = true}, Options{.tolerance = 1e-5}}) {
-    std::vector<Cache> cache_one(p.size()), cache_all(p.size());
-    for (int round = 0; round < 2; ++round) {  // the second with what the first left in the caches
-      std::vector<Contact> one(p.size()), all(p.size());
-      for (std::size_t i = 0; i < p.size(); ++i) {
-        if (i % 11 == 0) cache_one[i].axis *= 3;  // an axis that is not a unit vector
-        cache_all[i] = cache_one[i];
-        query(1, &p.a[i], &p.b[i], &p.offset[i], o, &cache_one[i], &one[i]);
-      }
-      for (std::size_t first = 0, step = 1; first < p.size();
-           first += step, step = step % 70 + 1)  // chunks of all sizes
-        query(std::min(step, p.size() - first), &p.a[first], &p.b[first], &p.offset[first], o, &cache_all[first],
-              &all[first]);
-      for (std::size_t i = 0; i < p.size(); ++i) {
-        EXPECT_TRUE(same(one[i], all[i])) << i << " gap " << one[i].gap << " " << all[i].gap;
-        EXPECT_TRUE(same_bits(cache_one[i].axis, cache_all[i].axis)) << i;
-        none += one[i].status == Status::refused;
-        uncertified += !one[i].certified && one[i].status != Status::refused;
-        proven += one[i].gap_upper == std::numeric_limits<double>::infinity() && one[i].status == Status::separated;
-        solved += one[i].certified && one[i].gap_upper < std::numeric_limits<double>::infinity();
-      }
-    }
-  }
-  EXPECT_GT(solved, 1000);
-  EXPECT_GT(proven, 100);
-  EXPECT_GT(uncertified, 100);
-  EXPECT_GT(none, 100);
+  AnswersCounted n;
+  for (const Options& o : {Options{}, Options{.overlap_only = true}, Options{.tolerance = 1e-5}})
+    expect_chunks_as_one_by_one(
+        query, p, o,
+        [](std::size_t i, Cache& alone, Cache& in_chunks) {
+          if (i % 11 == 0) alone.axis *= 3;  // an axis that is not a unit vector
+          in_chunks = alone;
+        },
+        n);
+  EXPECT_GT(n.solved, 1000);
+  EXPECT_GT(n.proven, 100);
+  EXPECT_GT(n.uncertified, 100);
+  EXPECT_GT(n.none, 100);
 }
 
 using kernels::EllipseChunk;

@@ -2,13 +2,13 @@
 // the answers of the scalar query within their intervals, the kinematics of a rigid body.
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cmath>
 #include <vector>
 
 #include "libcontact/dispatch.h"
 #include "libcontact/kernels/smooth.h"
 #include "shapes/math/random.h"
+#include "tests/libcontact/same_bits.h"
 
 namespace contact {
 namespace {
@@ -75,7 +75,6 @@ double inverse_mass(const Bodies& bodies, std::size_t i, const Vec3d& arm, const
   return bodies.motion[i].inverse_mass + t.x * t.x / inertia.x + t.y * t.y / inertia.y + t.z * t.z / inertia.z;
 }
 
-bool same_bits(double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); }
 bool same_lane(const LawChunk& x, const LawChunk& y, std::size_t i) {
   bool same = same_bits(x.overlap[i], y.overlap[i]) && same_bits(x.turn[i], y.turn[i]) &&
               same_bits(x.mass_eff[i], y.mass_eff[i]) && same_bits(x.radius_eff[i], y.radius_eff[i]);

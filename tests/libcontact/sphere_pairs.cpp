@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "libcontact/kernels/chunk.h"
 #include "libcontact/methods/analytic.h"
 #include "shapes/math/random.h"
+#include "tests/libcontact/same_bits.h"
 
 namespace contact {
 namespace {
@@ -19,8 +19,6 @@ namespace {
 using Ball = Placed<shapes::Sphere>;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-
-bool same_bits(double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); }
 
 struct Pairs {
   std::vector<SphereRow> spheres;
