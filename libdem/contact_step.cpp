@@ -12,6 +12,7 @@
 #include "libdem/meetings.h"
 #include "libdem/pair_answers.h"
 #include "libdem/sleep.h"
+#include "libdem/stopwatch.h"
 #include "libdem/sweep.h"
 #include "libdem/wall_load.h"
 #include "libdem/walls.h"
@@ -28,10 +29,6 @@ void book_lost(World& world, const std::vector<Change>& changed) {
   for (const Gone& g : gone)
     for (std::size_t m = 0; m < contact::mechanism_count; ++m) world.balance.lost[m].add(g.lost[m]);
   gone.clear();
-}
-
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 // Pairs of a task: as many lanes as a chunk has where kernels run across pairs, less where pairs are dear or have many

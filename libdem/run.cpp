@@ -14,6 +14,7 @@
 #include "libdem/io/files.h"
 #include "libdem/io/io.h"
 #include "libdem/render/render.h"
+#include "libdem/stopwatch.h"
 
 namespace dem {
 
@@ -21,8 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 bool due(std::uint64_t step, std::uint64_t every) { return every > 0 && step % every == 0; }
 

@@ -16,15 +16,12 @@
 #include "libdem/forces.h"
 #include "libdem/insertion/rain.h"
 #include "libdem/outlets.h"
+#include "libdem/stopwatch.h"
 #include "libdem/sweep.h"
 #include "libdem/walls.h"
 
 namespace dem {
 namespace {
-
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 void check_finite(const World& world, const BodyTally& moved) {
   if (moved.bad < world.particles.count())

@@ -2,7 +2,7 @@
 #include "libcontact/kernels/ellipse_search.h"
 #include "libcontact/kernels/gather.h"
 #include "libcontact/kernels/in_line.h"
-#include "shapes/math/pack.h"
+#include "libcontact/kernels/pair_lanes.h"
 
 namespace contact::kernels {
 inline namespace KERNEL_SET {
@@ -10,15 +10,12 @@ namespace {
 
 using shapes::Pack;
 using V = Flat<Pack>;
-using std::experimental::vector_aligned;
 using Lane = EllipseChunk::Lane;
 
-inline Pack load(const Lane& l, std::size_t i) { return Pack(&l.v[i], vector_aligned); }
 inline V load2(const Lane* l, std::size_t i) { return {load(l[0], i), load(l[1], i)}; }
 inline FlatEllipse<Pack> load_body(const Lane* l, std::size_t i) {
   return {load(l[0], i), load(l[1], i), load(l[2], i), load(l[3], i)};
 }
-inline void store(Lane& l, std::size_t i, const Pack& p) { p.copy_to(&l.v[i], vector_aligned); }
 inline void store2(Lane* l, std::size_t i, const V& v) {
   store(l[0], i, v.x);
   store(l[1], i, v.y);

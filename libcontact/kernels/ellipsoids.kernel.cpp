@@ -1,7 +1,7 @@
 // Ellipsoid pairs, lanes across pairs, compiled once per instruction set.
 #include "libcontact/kernels/ellipsoid_search.h"
 #include "libcontact/kernels/gather.h"
-#include "shapes/math/pack.h"
+#include "libcontact/kernels/pair_lanes.h"
 
 namespace contact::kernels {
 inline namespace KERNEL_SET {
@@ -9,12 +9,9 @@ namespace {
 
 using shapes::Pack;
 using V = shapes::Vec3<Pack>;
-using std::experimental::vector_aligned;
 using Lane = EllipsoidChunk::Lane;
 
-inline Pack load(const Lane& l, std::size_t i) { return Pack(&l.v[i], vector_aligned); }
 inline V load3(const Lane* l, std::size_t i) { return {load(l[0], i), load(l[1], i), load(l[2], i)}; }
-inline void store(Lane& l, std::size_t i, const Pack& p) { p.copy_to(&l.v[i], vector_aligned); }
 inline void store3(Lane* l, std::size_t i, const V& v) {
   store(l[0], i, v.x);
   store(l[1], i, v.y);

@@ -10,6 +10,7 @@
 #include "libdem/broad_phase/wall_candidates.h"
 #include "libdem/detection.h"
 #include "libdem/law_map.h"
+#include "libdem/stopwatch.h"
 #include "libdem/sweep.h"
 
 namespace dem {
@@ -382,7 +383,7 @@ void rebuild_candidates(World& world, int threads) {
   c.stale = false;
   ++world.counters.rebuilds;
   world.counters.candidates = total;
-  world.times.broad += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  world.times.broad += seconds_since(begin);
 }
 
 }  // namespace dem

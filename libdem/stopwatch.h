@@ -1,0 +1,12 @@
+// Wall time of a piece of work, s.
+#pragma once
+
+#include <chrono>
+
+namespace dem {
+
+inline double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace dem
