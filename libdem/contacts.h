@@ -43,6 +43,7 @@ struct Gone {  // a contact that has ended, and what it lost
 };
 
 inline constexpr std::uint32_t none = ~std::uint32_t(0);
+inline constexpr std::size_t near_bytes = 8U << 20;  // that the caches near the core hold
 
 // Pairs that go through lanes from the bodies to the slots, in chunks: what a step looks at. Of round bodies those that
 // have met since the list of candidates was made, in the order that their histories have in memory; of smooth ones
@@ -98,6 +99,7 @@ struct Sweep {
   std::size_t chunks = 0;                  // of its Met: whole ones at the last rebuild
   std::vector<std::uint32_t> first, last;  // of each block of bodies: the chunks that its pairs lie between, or none
   std::vector<std::uint32_t> order;        // the blocks by their last chunk
+  std::uint32_t widest = 0;                // from the first to the last chunk of a block, at most
 };
 
 // The records of one pair of bodies, or of a body and a wall, of which one at least has parts: they follow one another

@@ -79,7 +79,7 @@ class ForcePass {
     wanted_.overlap_only = !world.law.lingers;  // else the gap is wanted of those that hold on
     staged_ = c_.words > 0;
     lingers_ = world.law.lingers;
-    far_ = c_.history.size() * sizeof(contact::History) > (8U << 20);
+    far_ = c_.history.size() * sizeof(contact::History) > near_bytes;
     map_ = c_.words > world.law.words + 1 ? world.scene.law.map : LawMap::automatic;
     by_volume_ = map_ == LawMap::volume;
     by_depth_ = wanted_.measure = measures_depth(world);

@@ -5,13 +5,8 @@
 #include <numeric>
 
 namespace dem {
-namespace {
 
 using contact::kernels::chunk_size;
-
-constexpr std::size_t near_bytes = 8U << 20;  // of slots that the caches near the core hold
-
-}  // namespace
 
 void plan_sweep(World& world) {
   Contacts& c = world.contacts;
@@ -37,12 +32,16 @@ void plan_sweep(World& world) {
       }
   }
   // Blocks whose last chunks are near go in order of storage, as memory streams best.
-  std::uint32_t widest = 0;
-  for (std::size_t b = 0; b < blocks; ++b)
-    if (s.last[b] != none) widest = std::max(widest, s.last[b] - s.first[b]);
-  const std::uint32_t run = std::bit_ceil(std::max<std::uint32_t>(widest / 8, 8));
+  const auto widest = [&s] {
+    std::uint32_t chunks = 0;
+    for (std::size_t b = 0; b < s.last.size(); ++b)
+      if (s.last[b] != none) chunks = std::max(chunks, s.last[b] - s.first[b]);
+    return chunks;
+  };
+  const std::uint32_t run = std::bit_ceil(std::max<std::uint32_t>(widest() / 8, 8));
   for (std::uint32_t& last : s.last)
     if (last != none) last = std::min(last | (run - 1), static_cast<std::uint32_t>(s.chunks) - 1);
+  s.widest = widest();
   s.order.resize(blocks);
   std::iota(s.order.begin(), s.order.end(), 0U);
   std::stable_sort(s.order.begin(), s.order.end(),
@@ -54,9 +53,7 @@ void plan_sweep(World& world) {
 SlotRing ring_of(const World& world, std::size_t thread, std::size_t threads) {
   const Contacts& c = world.contacts;
   const Sweep& s = c.sweep;
-  std::size_t widest = 0;
-  for (std::size_t b = 0; b < s.last.size(); ++b)
-    if (s.last[b] != none) widest = std::max<std::size_t>(widest, s.last[b] - s.first[b]);
+  const std::size_t widest = s.widest;
   ChunkRange zone(s.chunks, thread, threads);
   if (thread > 0) zone.first += widest;
   if (thread + 1 < threads) zone.last -= std::min(zone.last, widest);

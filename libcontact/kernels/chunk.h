@@ -118,8 +118,10 @@ using LoadHistoryKernel = void (*)(const History* history, const Index* record, 
 using StoreHistoryKernel = void (*)(const LawChunk& chunk, const Index* record, std::size_t count, History* history);
 // One slot of each: force, couple and levers; or two: force with couple, force with couple_b.
 using StoreSlotsKernel = void (*)(const LawChunk& chunk, const Index* record, std::size_t count, Slot* slot);
-struct StageSet;   // stages.h: any law of each family
-struct SmoothSet;  // smooth.h: contacts of ellipsoids and of ellipses
+
+struct StageSet;        // stages.h: any law of each family
+struct SmoothSet;       // smooth.h: contacts of ellipsoids and of ellipses
+struct OverlapKernels;  // overlap_sums.h: sums over the overlap of two polyhedra
 
 struct KernelSet {
   const char* name;                   // sse2, avx2, avx512
@@ -142,6 +144,7 @@ struct KernelSet {
   SearchKernels search;
   PolygonSideKernel polygon_sides;
   const SmoothSet* smooth;
+  const OverlapKernels* overlaps;
 };
 
 // The best set this processor runs; the environment variable DEM_SIMD (sse2 | avx2 | avx512) asks for another. Every

@@ -34,6 +34,7 @@ std::uint32_t polygon_sides(const Motion* motion, const Lattice* lattice, Polygo
                             bool parts, LawChunk& law);
 
 const StageSet& stage_set();
+const OverlapKernels& overlap_set();
 const SmoothSet& smooth_set();
 
 }  // namespace KERNEL_SET

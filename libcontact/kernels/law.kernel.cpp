@@ -80,7 +80,8 @@ const KernelSet& kernel_set() {
                              {sphere_pairs, ellipsoid_proofs, ellipsoid_search, ellipse_proofs, ellipse_search},
                              {lowest, lowest_two, reaching},
                              polygon_sides,
-                             &smooth_set()};
+                             &smooth_set(),
+                             &overlap_set()};
   return set;
 }
 

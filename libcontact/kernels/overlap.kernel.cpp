@@ -2,15 +2,10 @@
 #pragma GCC diagnostic ignored "-Wpsabi"  // rows are passed within this file alone
 #include <limits>
 
+#include "libcontact/kernels/gather.h"
+#include "libcontact/kernels/in_line.h"
 #include "libcontact/kernels/overlap_sums.h"
 #include "shapes/math/pack.h"
-
-// One function with everything in line: no symbol of it is left that another set could take. As in law_kernel.h.
-#ifdef __SANITIZE_ADDRESS__
-#define KERNEL_IN_LINE
-#else
-#define KERNEL_IN_LINE __attribute__((flatten))
-#endif
 
 namespace contact::kernels {
 inline namespace KERNEL_SET {
@@ -252,7 +247,10 @@ KERNEL_IN_LINE std::size_t overlap_deepest(const OverlapPlanes& planes, std::siz
   return kept;
 }
 
-extern const OverlapKernels overlap_set{overlap_slope, overlap_cutting, overlap_deepest};
+const OverlapKernels& overlap_set() {
+  static const OverlapKernels set{overlap_slope, overlap_cutting, overlap_deepest};
+  return set;
+}
 
 }  // namespace KERNEL_SET
 }  // namespace contact::kernels

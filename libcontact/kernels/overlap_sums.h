@@ -67,9 +67,6 @@ struct OverlapKernels {
   OverlapCuttingKernel cutting;
   OverlapDeepestKernel deepest;
 };
-// Those of the set that kernels() has chosen, and of any set by its name.
-const OverlapKernels& overlap_kernels();
-const OverlapKernels& overlap_kernels(const char* set);
 
 }  // namespace kernels
 }  // namespace contact

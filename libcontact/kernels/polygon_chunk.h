@@ -6,19 +6,15 @@
 #include <cstdint>
 
 #include "libcontact/kernels/lattice.h"
+#include "libcontact/kernels/pair_chunks.h"
 #include "libcontact/kernels/records.h"
 
 namespace contact::kernels {
 
 // Without initial values: what a lane does not hold is never read as an answer. [0]: of body a, [1]: of body b.
 struct PolygonChunk {
-  static constexpr std::size_t size = 32;   // contacts
-  static constexpr std::size_t widest = 8;  // of all packs
-  struct alignas(64) Lane {
-    double v[size];
-    double& operator[](std::size_t i) { return v[i]; }
-    double operator[](std::size_t i) const { return v[i]; }
-  };
+  static constexpr std::size_t size = EllipsoidChunk::size, widest = EllipsoidChunk::widest;
+  using Lane = EllipsoidChunk::Lane;
   // in
   std::uint32_t body[2][size];
   const double *side[size], *corner[size];  // rows of shapes/polygon_rows.h: the side, of self; the corner, of other

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "libcontact/kernels/chunk.h"
+
 namespace contact {
 
 namespace {
@@ -188,7 +190,7 @@ void OverlapBody::cut_by(const shapes::Polyhedron& p, double down, Except except
     seen_[i] = {x.x, x.y, x.z, 0};
   }
   near_.make_room(p.nx.size() + 1);
-  const kernels::OverlapKernels& kernels = kernels::overlap_kernels();
+  const kernels::OverlapKernels& kernels = *kernels::kernels().overlaps;
   const std::size_t found = kernels.cutting({p.nx.data(), p.ny.data(), p.nz.data(), p.nx.size()}, p.nd.data(),
                                             p.faces.size(), seen_.data(), filled, near_.data());
   const std::size_t room = found + 4;

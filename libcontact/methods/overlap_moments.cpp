@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libcontact/kernels/chunk.h"
 #include "libcontact/methods/overlap_forms.h"
 
 namespace contact {
@@ -110,7 +111,7 @@ bool depth_slope(const OverlapBody& body, double size, DepthSlope& out) {
     return edges_slope(body.corners().data(), normals, size, out);
   }
   static thread_local Lists lists;
-  return kernels::overlap_kernels().slope(lists.gather(body), size, out);
+  return kernels::kernels().overlaps->slope(lists.gather(body), size, out);
 }
 
 }  // namespace contact

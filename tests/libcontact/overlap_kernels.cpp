@@ -23,7 +23,7 @@ struct Planes {
 
 class OverlapKernelSet : public testing::TestWithParam<const KernelSet*> {
  protected:
-  const OverlapKernels& set() const { return overlap_kernels(GetParam()->name); }
+  const OverlapKernels& set() const { return *GetParam()->overlaps; }
   std::mt19937_64 random_{11};
   std::normal_distribution<double> draw_;
   Vec3d any() { return {draw_(random_), draw_(random_), draw_(random_)}; }
@@ -111,7 +111,7 @@ TEST_P(OverlapKernelSet, SumsHaveTheSameBitsInEverySet) {
     const OverlapLists lists{corner, normal, cones, others, rim, places, 4, 4, 4, 4, 4};
     DepthSlope mine, narrowest;
     ASSERT_TRUE(set().slope(lists, 1, mine));
-    ASSERT_TRUE(overlap_kernels(kernel_sets().front()->name).slope(lists, 1, narrowest));
+    ASSERT_TRUE(kernel_sets().front()->overlaps->slope(lists, 1, narrowest));
     EXPECT_NEAR(mine.volume, std::abs(dot(x[1] - x[0], cross(x[2] - x[0], x[3] - x[0]))) / 6, 1e-15);
     EXPECT_EQ(std::memcmp(&mine, &narrowest, sizeof mine), 0);
   }
