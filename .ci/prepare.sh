@@ -99,3 +99,12 @@ count_tests() {
   say "Tests: $tests_passed passed, $tests_failed failed, $tests_skipped skipped"
   [ $((tests_passed + tests_failed)) -gt 0 ]
 }
+
+# sum_tests FILES: the same numbers from the reports that GoogleTest wrote, each of a part of the tests.
+sum_tests() {
+  tests_skipped=$(cat "$@" | grep -cE '<testcase .*(result="skipped"|status="notrun")')
+  tests_failed=$(cat "$@" | awk '/<testcase / { failed = 0 } /<failure / && !failed { ++n; failed = 1 } END { print n + 0 }')
+  tests_passed=$(($(cat "$@" | grep -c '<testcase ') - tests_skipped - tests_failed))
+  say "Tests: $tests_passed passed, $tests_failed failed, $tests_skipped skipped"
+  [ $((tests_passed + tests_failed)) -gt 0 ]
+}

@@ -48,7 +48,7 @@ Vec3d contact_point(const World& world, std::size_t record);
 // The limit of a contact by itself at an overlap that it has or had, s.
 double contact_limit(const World& world, std::size_t record, double overlap);
 // The smallest limit of the contacts as they are now, s; +infinity without contacts.
-double present_limit(const World& world);
+double present_limit(const World& world, int threads);
 
 double overlap_radius(const World& world, std::size_t i);  // ShapeEntry::overlap_radius of a body, m
 // At random in the way of the scene: about z in two dimensions.

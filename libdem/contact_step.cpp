@@ -216,7 +216,7 @@ class ContactStep {
 
 BodyTally compute_forces(World& world, int threads, double dt, const BodyStep& then) {
   const auto begin = std::chrono::steady_clock::now();
-  wake(world);
+  wake(world, threads);
   std::vector<Tally> looked = meet(world, threads);
   plan_sweep_again(world);
   ContactStep step(world, threads, dt);

@@ -1,5 +1,7 @@
 #include "libdem/sleep.h"
 
+#include <omp.h>
+
 #include <limits>
 
 #include "libcontact/methods/polygon_regions.h"
@@ -10,25 +12,34 @@ namespace {
 constexpr double steps_ahead = 16;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Round bodies that have not met: awake are those that are not farther apart than `way`.
-void wake_round(const World& world, Bin& bin, double way) {
+// Round bodies that have not met: awake are those that are not farther apart than `way`. In order, whoever looks.
+void wake_round(const World& world, Bin& bin, double way, int threads) {
   const Contacts& c = world.contacts;
   const Motion* motion = world.particles.motion.data();
   bin.awake.clear();
-  for (std::uint32_t r = 0; r < bin.records.size(); ++r) {
-    if (c.seat[bin.records[r]] != none) continue;
-    const Motion &a = motion[bin.a_index[r]], &b = motion[bin.b_index[r]];
-    Vec3d d = b.position - a.position;
-    if (world.cell.periodic) d = world.cell.lattice.nearest(d);
-    // What rounds is held as in coherence.h.
-    const double reach = (a.bounding_radius + b.bounding_radius) * (1 + 0x1p-36) + way * (1 + 0x1p-19);
-    if (!(dot(d, d) > reach * reach)) bin.awake.push_back(r);
+#pragma omp parallel num_threads(threads)
+  {
+    std::vector<std::uint32_t> mine;
+#pragma omp for schedule(static) nowait
+    for (std::uint32_t r = 0; r < bin.records.size(); ++r) {
+      if (c.seat[bin.records[r]] != none) continue;
+      const Motion &a = motion[bin.a_index[r]], &b = motion[bin.b_index[r]];
+      Vec3d d = b.position - a.position;
+      if (world.cell.periodic) d = world.cell.lattice.nearest(d);
+      // What rounds is held as in coherence.h.
+      const double reach = (a.bounding_radius + b.bounding_radius) * (1 + 0x1p-36) + way * (1 + 0x1p-19);
+      if (!(dot(d, d) > reach * reach)) mine.push_back(r);
+    }
+#pragma omp for schedule(static, 1) ordered
+    for (int t = 0; t < omp_get_num_threads(); ++t)
+#pragma omp ordered
+      bin.awake.insert(bin.awake.end(), mine.begin(), mine.end());
   }
 }
 
 }  // namespace
 
-void wake(World& world) {
+void wake(World& world, int threads) {
   Contacts& c = world.contacts;
   c.way += c.step_way;
   if (!(c.way > c.way_allowed)) return;
@@ -37,7 +48,7 @@ void wake(World& world) {
   const double w = world.cell.deforms ? infinity : first ? 0 : steps_ahead * c.step_way;
   for (Bin& bin : c.bins) {
     if (bin.round()) {
-      wake_round(world, bin, 2 * w);
+      wake_round(world, bin, 2 * w, threads);
       continue;
     }
     if (bin.query == nullptr) continue;

@@ -21,6 +21,6 @@ inline double travels(const World& world, const Bin& bin, std::size_t r) {
 
 // Once a step, after bodies and walls have moved: lists anew who is awake, where the list has run out. Cost: (1) for
 // every candidate, every 16 steps or so.
-void wake(World& world);
+void wake(World& world, int threads);
 
 }  // namespace dem

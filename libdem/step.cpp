@@ -46,7 +46,7 @@ void book_impulse(World& world, double h) {
 
 constexpr std::uint64_t monitor_every = 64;  // steps between looks at the actual stability limit
 
-void monitor(World& world) {
+void monitor(World& world, int threads) {
   const Counters& n = world.counters;
   const double doubtful = static_cast<double>(n.not_converged + n.uncertified);
   if (doubtful > world.scene.run.max_uncertified_share * static_cast<double>(n.contact_steps) && doubtful > 100)
@@ -54,7 +54,7 @@ void monitor(World& world) {
                    " contact queries did not converge and " + std::to_string(n.uncertified) +
                    " were not certified, of " + std::to_string(n.contact_steps) + " contact-steps; allowed share: " +
                    std::to_string(world.scene.run.max_uncertified_share) + " (run.max_uncertified_share)");
-  const double limit = present_limit(world);
+  const double limit = present_limit(world, threads);
   world.tightest_limit = std::min(world.tightest_limit, limit);
   if (world.time_step.dt > limit)
     throw RunError("step " + std::to_string(world.step) + ": run.dt = " + std::to_string(world.time_step.dt) +
@@ -83,7 +83,7 @@ void advance(World& world, int threads, bool more) {
   if (!world.rains.empty()) insert_rain(world);
   world.times.walls += seconds_since(walls);
 
-  if (candidates_outdated(world)) {
+  if (candidates_outdated(world, threads)) {
     // A body thrown off by a step that is too long may be out of reach: its contact would be gone unseen.
     if (!world.contacts.stale) check_contacts(world);
     rebuild_candidates(world, threads);
@@ -109,7 +109,7 @@ void advance(World& world, int threads, bool more) {
   if (deforms) book_flow(world, start.flow);
   book_impulse(world, 0.5 * dt);
   if (deforms) finish_cell_step(world, threads, dt);
-  if (world.step % monitor_every == 0) monitor(world);
+  if (world.step % monitor_every == 0) monitor(world, threads);
   if (!world.events.empty() || !world.until.empty()) apply_events(world);
   world.times.particle_steps += world.particles.count();
   world.times.integrate += seconds_since(rest);

@@ -84,7 +84,8 @@ BodyPass::BodyPass(World& world, const BodyStep& step)
              p.force.data(),
              p.torque.data(),
              c.travel.empty() || c.stale ? nullptr : c.travel.data()};
-  step_.uniform = uniform_kinds();
+  step_.uniform = kinds_that(turns_uniformly);
+  step_.still = world.scene.run.turn_spheres ? 0 : kinds_that(is_round);
   step_.periodic = world.cell.periodic;
   step_.lower = world.cell.lower;
   step_.centre = world.cell.centre;

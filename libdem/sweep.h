@@ -36,11 +36,11 @@ inline bool in_one_range(const Sweep& s, std::size_t block, std::size_t threads)
 // Of a step whose contacts nobody looks at: a thread's slots in few places, which stay near; else there is none.
 SlotRing ring_of(const World& world, std::size_t thread, std::size_t threads);
 
-// BodyStep::uniform.
-constexpr std::uint64_t uniform_kinds() {
+// As in BodyStep: bit k of the kind k.
+constexpr std::uint64_t kinds_that(bool (*are)(shapes::Kind)) {
   std::uint64_t kinds = 0;
   for (std::size_t k = 0; k < shapes::kind_count; ++k)
-    kinds |= static_cast<std::uint64_t>(turns_uniformly(static_cast<shapes::Kind>(k)) ? 1 : 0) << k;
+    kinds |= static_cast<std::uint64_t>(are(static_cast<shapes::Kind>(k)) ? 1 : 0) << k;
   return kinds;
 }
 
@@ -53,6 +53,7 @@ class BodyPass {
     const std::size_t first = number * bodies_at_once;
     SumLists lists = lists_;
     lists.ring = ring;
+    lists.far = lists.far && ring.mask == SlotRing{}.mask;  // those in a ring are near
     kernel_(arrays_, lists, step_, first, std::min(count_, first + bodies_at_once), tally);
   }
   // What a block's bodies read beside their motions and slots, ahead of its turn.
@@ -63,8 +64,10 @@ class BodyPass {
       for (std::size_t at = 0; at < n * sizeof *array; at += 64) __builtin_prefetch(from + at, 1);
     };
     lines(arrays_.angular_momentum + first);
-    lines(arrays_.orientation + first);
-    lines(arrays_.rotation + first);
+    if (step_.still == 0) {
+      lines(arrays_.orientation + first);
+      lines(arrays_.rotation + first);
+    }
     lines(arrays_.inertia + first);
     const std::uint32_t* entry = lists_.active + lists_.start[first];
     const std::uint32_t* last = lists_.active + lists_.start[first + n - 1] + lists_.count[first + n - 1];

@@ -8,6 +8,7 @@
 #include "libdem/time_step.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -248,23 +249,37 @@ TimeStep choose_time_step(const World& now) {
   return best;
 }
 
-double present_limit(const World& world) {
+double present_limit(const World& world, int threads) {
+  constexpr std::size_t at_once = 1U << 14;  // records, between two of which rows are summed in order
   const Contacts& c = world.contacts;
   std::vector<double> row(world.particles.count());
-  double beta = 0;
-  for (std::size_t k = 0; k < c.count(); ++k) {
-    if (c.touching[k] == 0) continue;
-    const Stiffness s = contact_stiffness(world, k);
-    const PairParameters& q = pair_of(world, k);
-    const auto add = [&](std::size_t i) { row[i] += omega_squared(s, compliance(world, i), q); };
-    add(c.index_a[k]);
-    if (c.key[k].b < wall_base) add(c.index_b[k]);
-    beta = std::max(beta, law_beta(world, q, s, compliance_of(world, k).normal));
-  }
-  double largest = 0;
-  for (std::size_t k = 0; k < c.count(); ++k) {
-    if (c.touching[k] == 0) continue;
-    largest = std::max(largest, row[c.index_a[k]] + (c.key[k].b < wall_base ? row[c.index_b[k]] : 0));
+  std::vector<std::array<double, 2>> squares(std::min(at_once, c.count()));  // ω² as each body of a contact has it
+  const auto paired = [&c](std::size_t k) { return c.key[k].b < wall_base; };
+  double beta = 0, largest = 0;
+#pragma omp parallel num_threads(threads)
+  {
+    for (std::size_t first = 0; first < c.count(); first += at_once) {
+      const std::size_t last = std::min(c.count(), first + at_once);
+#pragma omp for schedule(static) reduction(max : beta)
+      for (std::size_t k = first; k < last; ++k) {
+        if (c.touching[k] == 0) continue;
+        const Stiffness s = contact_stiffness(world, k);
+        const PairParameters& q = pair_of(world, k);
+        const Compliance a = compliance(world, c.index_a[k]),
+                         b = paired(k) ? compliance(world, c.index_b[k]) : Compliance{};
+        squares[k - first] = {omega_squared(s, a, q), omega_squared(s, b, q)};
+        beta = std::max(beta, law_beta(world, q, s, (a + b).normal));
+      }
+#pragma omp single
+      for (std::size_t k = first; k < last; ++k) {
+        if (c.touching[k] == 0) continue;
+        row[c.index_a[k]] += squares[k - first][0];
+        if (paired(k)) row[c.index_b[k]] += squares[k - first][1];
+      }
+    }
+#pragma omp for schedule(static) reduction(max : largest)
+    for (std::size_t k = 0; k < c.count(); ++k)
+      if (c.touching[k] != 0) largest = std::max(largest, row[c.index_a[k]] + (paired(k) ? row[c.index_b[k]] : 0));
   }
   return largest > 0 ? limit_of(largest, beta) : std::numeric_limits<double>::infinity();
 }

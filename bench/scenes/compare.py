@@ -40,6 +40,7 @@ def arguments():
     parser.add_argument("--reps", type=int, default=5)
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--without", default="", help="programs to leave out: lammps, liggghts, yade")
+    parser.add_argument("--turn-spheres", action="store_true", help="beds and drums of spheres with their orientations, which LAMMPS and LIGGGHTS do not follow")
     parser.add_argument("--json", help="writes every result to this file")
     parser.add_argument("--cache", default=os.path.join(ROOT, "build", "beds"))
     parser.add_argument("--dem", default=PROGRAM)
@@ -55,6 +56,7 @@ def bed_of_spheres(args, name, folder):
     rows, size_x, size_y = spheres.bed(count)
     spheres.write_bed(folder, rows, size_x, size_y)
     ours = [f"run.steps={steps + warm}", f"run.dt={spheres.DT}", f"run.skin={spheres.SKIN}", f"run.rebuild_every={every}"]
+    ours += [] if args.turn_spheres else [spheres.NOT_TURNED]
     variables = {"data": "bed.data", "Lx": size_x, "Ly": size_y, "warm": warm, "steps": steps, "skin": spheres.SKIN,
                  "dt": spheres.DT, "every": every}
     runs = {"dem": lambda: dem_result(run_dem(args.dem, os.path.join(folder, "bed.toml"), os.path.join(folder, "out"), cores, ours)),
@@ -78,7 +80,7 @@ def drum(args, folder):
     rows = spheres.flowing(os.path.join(start, "final.csv"), rows)
     spheres.write_drum(folder, rows)
     warm, steps = 50, 500
-    ours = [f"run.steps={steps + warm}", f"run.skin={spheres.SKIN}"]
+    ours = [f"run.steps={steps + warm}", f"run.skin={spheres.SKIN}"] + ([] if args.turn_spheres else [spheres.NOT_TURNED])
     variables = {"data": "drum.data", "R": spheres.DRUM_RADIUS, "W": spheres.DRUM_WIDTH, "rate": spheres.DRUM_RATE, "warm": warm,
                  "steps": steps, "skin": spheres.SKIN, "dt": spheres.DT}
     return {"dem": lambda: dem_result(run_dem(args.dem, os.path.join(folder, "drum.toml"), os.path.join(folder, "out"), 1, ours)),

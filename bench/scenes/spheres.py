@@ -11,6 +11,7 @@ from scene_text import QUIET, SOFT  # noqa: E402
 
 DATA = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "data")
 DT, SKIN = 1e-5, 2e-4  # s, m
+NOT_TURNED = "run.turn_spheres=false"  # LAMMPS and LIGGGHTS do not follow where spheres point either
 MATERIAL = SOFT + """
 [[shape]]
 name = "ball"

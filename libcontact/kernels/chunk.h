@@ -29,9 +29,10 @@ struct Lane3 {
   Lane x, y, z;
 };
 
-// Sphere pairs as gathered; `spheres` fills overlap, normal, velocity, turn and the levers of a LawChunk from it.
+// Sphere pairs as gathered; `spheres` fills overlap, normal, velocity, turn, R* and m* of a LawChunk from it.
 struct SphereChunk {
   Lane3 offset;             // x_b − x_a, m
+  Lane inverse_mass;        // the sum of both, 1/kg
   Lane radius_a, radius_b;  // m
   Lane3 spin_a, spin_b;     // rad/s
 };
@@ -66,7 +67,7 @@ using SphereKernel = SphereMeetings (*)(const SphereChunk& in, LawChunk& chunk, 
 // All of it for pairs of spheres whose law is one of the two below: bodies and histories are read, histories and slots
 // written, one slot a pair. The lists are filled up to a whole chunk.
 struct SphereContacts {
-  const Motion* motion;
+  const Motion* motion;  // bounding and equivalent radius are one
   const Index *a, *b, *seat;
   std::size_t count;
   const Lattice* lattice;  // null: bodies have no images

@@ -51,7 +51,7 @@ template <bool periodic>
     Row vx = va.a - vb.a, vy = va.b - vb.b, vz = va.c - vb.c;
     if constexpr (periodic) leave_flow(*lattice, x, y, z, vx, vy, vz);
     put(c.velocity, i, vx, vy, vz);
-    lane_of(c.mass_eff, i) = Row{1, 1, 1, 1} / (va.d + vb.d);
+    lane_of(s.inverse_mass, i) = va.d + vb.d;
     const Rows wa = Rows::load(motion, sizeof(Motion), a + i, 2).turned();
     const Rows wb = Rows::load(motion, sizeof(Motion), b + i, 2).turned();
     put(s.spin_a, i, wa.a, wa.b, wa.c);

@@ -28,13 +28,16 @@ constexpr BitOfLane bit_of_lane;
 SphereMeetings spheres(const SphereChunk& s, LawChunk& c, std::size_t count) {
   Pack touching(0), turned(0);  // the lanes, as sums of powers of two
   for (std::size_t i = 0; i < count; i += Pack::size()) {
-    const SphereMeeting<Pack> m = meeting_of(load(s.offset, i), load(s.radius_a, i), load(s.radius_b, i),
-                                             load(c.velocity, i), load(s.spin_a, i), load(s.spin_b, i));
+    const Pack radius_a = load(s.radius_a, i), radius_b = load(s.radius_b, i);
+    const SphereMeeting<Pack> m =
+        meeting_of(load(s.offset, i), radius_a, radius_b, radius_a + radius_b, load(c.velocity, i),
+                   load(s.inverse_mass, i), load(s.spin_a, i), load(s.spin_b, i));
     store(c.overlap, i, m.overlap);
     store(c.normal, i, m.normal);
     store(c.velocity, i, m.velocity);
     store(c.turn, i, m.turn);
     store(c.radius_eff, i, m.radius_eff);
+    store(c.mass_eff, i, m.mass_eff);
     const Pack bits = load(bit_of_lane.value, i);
     touching += select(m.touch, bits, Pack(0));
     turned += select(dot(load(c.history_normal, i), m.normal) < Pack(0), bits, Pack(0));

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "libcontact/kernels/lattice.h"
 
@@ -90,6 +91,18 @@ struct RowsOf {
     else
       return {join(at(0), at(4)), join(at(1), at(5)), join(at(2), at(6)), join(at(3), at(7))};
   }
+  // Rows of b less those of a, but of the fourth numbers the sum.
+  [[gnu::always_inline]] static RowsOf load_apart(const void* base, std::size_t size, const std::uint32_t* a,
+                                                  const std::uint32_t* b, std::size_t row) {
+    if constexpr (N == 4)
+      return {apart(base, size, a[0], b[0], row), apart(base, size, a[1], b[1], row),
+              apart(base, size, a[2], b[2], row), apart(base, size, a[3], b[3], row)};
+    else
+      return {join(apart(base, size, a[0], b[0], row), apart(base, size, a[4], b[4], row)),
+              join(apart(base, size, a[1], b[1], row), apart(base, size, a[5], b[5], row)),
+              join(apart(base, size, a[2], b[2], row), apart(base, size, a[6], b[6], row)),
+              join(apart(base, size, a[3], b[3], row), apart(base, size, a[7], b[7], row))};
+  }
   [[gnu::always_inline]] RowsOf turned() const {
     if constexpr (N == 4) {
       const Row p = __builtin_shufflevector(a, b, 0, 4, 2, 6), q = __builtin_shufflevector(a, b, 1, 5, 3, 7);
@@ -114,12 +127,7 @@ struct RowsOf {
     const auto put = [&](std::size_t i) {
       const Lanes& lanes = *from[i % 4];
       Row& to = row_of(base, size, index[i], row);
-      if constexpr (N == 4)
-        to = lanes;
-      else if (i < 4)
-        to = __builtin_shufflevector(lanes, lanes, 0, 1, 2, 3);
-      else
-        to = __builtin_shufflevector(lanes, lanes, 4, 5, 6, 7);
+      to = reinterpret_cast<const Row*>(&lanes)[i / 4];
     };
     if (count >= N)
       for (std::size_t i = 0; i < N; ++i) put(i);
@@ -128,6 +136,12 @@ struct RowsOf {
   }
 
  private:
+  [[gnu::always_inline]] static Row apart(const void* base, std::size_t size, std::uint32_t a, std::uint32_t b,
+                                          std::size_t row) {
+    using Bits = std::int64_t __attribute__((vector_size(32), may_alias));
+    constexpr std::int64_t sign = std::numeric_limits<std::int64_t>::min();
+    return row_of(base, size, b, row) + (Row)((Bits)row_of(base, size, a, row) ^ Bits{sign, sign, sign, 0});
+  }
   [[gnu::always_inline]] static Lanes join(const Row& low, const Row& high) {
     return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
   }

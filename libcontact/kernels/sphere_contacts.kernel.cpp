@@ -112,23 +112,22 @@ template <class Normal, bool periodic>
 IN_LINE SphereMeetings spheres_with_spheres(const SphereContacts& c) {
   Found found;
   for (std::size_t i = 0; i < c.count; i += width) {
-    const WRows xa = WRows::load(c.motion, sizeof(Motion), c.a + i, 0).turned(),
-                xb = WRows::load(c.motion, sizeof(Motion), c.b + i, 0).turned();
-    V3 offset = vector_of(xb) - vector_of(xa);
-    const WRows va = WRows::load(c.motion, sizeof(Motion), c.a + i, 1).turned(),
-                vb = WRows::load(c.motion, sizeof(Motion), c.b + i, 1).turned();
-    V3 velocity = vector_of(va) - vector_of(vb);
+    const auto apart = [&c](const Index* from, const Index* to, std::size_t row) {
+      return WRows::load_apart(c.motion, sizeof(Motion), from, to, row).turned();
+    };
+    const WRows x = apart(c.a + i, c.b + i, 0), v = apart(c.b + i, c.a + i, 1);
+    V3 offset = vector_of(x), velocity = vector_of(v);
     if constexpr (periodic) {
       to_nearest(*c.lattice, offset.x.v, offset.y.v, offset.z.v);
       leave_flow(*c.lattice, offset.x.v, offset.y.v, offset.z.v, velocity.x.v, velocity.y.v, velocity.z.v);
     }
-    const WRows wa = WRows::load(c.motion, sizeof(Motion), c.a + i, 2).turned(),
-                wb = WRows::load(c.motion, sizeof(Motion), c.b + i, 2).turned();
-    const SphereMeeting<W> m = meeting_of<W>(offset, xa.d, xb.d, velocity, vector_of(wa), vector_of(wb));
+    const auto turning = [&c](const Index* body) { return WRows::load(c.motion, sizeof(Motion), body, 2).turned(); };
+    const WRows wa = turning(c.a + i), wb = turning(c.b + i);
+    const SphereMeeting<W> m = meeting_of<W>(offset, wa.d, wb.d, x.d, velocity, v.d, vector_of(wa), vector_of(wb));
     Group<Normal> g;
     g.overlap = m.overlap;
     g.radius_eff = m.radius_eff;
-    g.mass_eff = W(1.0) / (W(va.d) + W(vb.d));
+    g.mass_eff = m.mass_eff;
     g.turn = m.turn;
     g.normal = m.normal;
     g.velocity = m.velocity;

@@ -42,6 +42,15 @@ T lag_factor(const T& damping, const T& mass_eff, const T& dt, double p) {
   return sqrt(T(1) + x * x) - x;
 }
 
+// c = s c0 of c0 = factor · β sqrt(m* k) at the cost of one square root: sqrt(c0² + y²) − y, y = x c0 = (p/4) factor²
+// β² k dt.
+template <class T>
+T lagging_dashpot(const T& factor_beta, const T& stiffness, const T& mass_eff, const T& dt, double p) {
+  using std::sqrt;
+  const T pushed = factor_beta * factor_beta * stiffness, y = T(0.25 * p) * (pushed * dt);
+  return sqrt(pushed * mass_eff + y * y) - y;
+}
+
 // Tsuji's dashpot beside a spring of the stiffness k, with the two corrections for finite steps.
 //   c  = s c0,  c0 = factor · β sqrt(m* k)                                                     [N s/m]  s of (1)
 //   w  = (4/5)(f + ½) ((f + ½)/f)^¼ in the first step of a contact, of which the part f was spent in contact, else 1:
@@ -55,8 +64,7 @@ struct Dashpot {
 template <class T>
 Dashpot<T> tsuji_dashpot(const T& factor_beta, const T& stiffness, const Kinematics<T>& k) {
   using std::sqrt;
-  const T c0 = factor_beta * sqrt(k.mass_eff * stiffness);
-  const T c = c0 * lag_factor(c0, k.mass_eff, k.dt, 10.0 / 11.0);
+  const T c = lagging_dashpot(factor_beta, stiffness, k.mass_eff, k.dt, 10.0 / 11.0);
   const auto begins = k.onset > T(0);
   const T x = select(begins, k.onset, T(1)), since = x + T(0.5);
   return {c, select(begins, T(0.8) * since * sqrt(sqrt(since / x)), T(1))};

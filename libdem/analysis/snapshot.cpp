@@ -24,6 +24,7 @@ void add_bodies(const World& world, const std::vector<std::uint32_t>& order, Sna
     s.velocity.push_back(m.velocity);
     s.spin.push_back(m.spin);
     s.rotation.push_back(p.rotation[i]);
+    s.has_rotation = s.has_rotation && (world.scene.run.turn_spheres || !is_round(p.kind[i]));
     s.orientation.push_back(p.orientation[i]);
     s.mass.push_back(p.mass[i]);
     s.radius.push_back(m.equivalent_radius);

@@ -74,7 +74,7 @@ void particle_pairs(World& world, int threads, Rows& rows) {
   }
 }
 
-void index_by_particle(World& world) {
+void index_by_particle(World& world, int threads) {
   Contacts& c = world.contacts;
   c.incidence_start.assign(world.particles.count() + 1, 0);
   c.wall_records.clear();
@@ -99,24 +99,27 @@ void index_by_particle(World& world) {
     std::uint32_t part, part_a, entry;
     auto operator<=>(const Partner&) const = default;
   };
-  std::vector<Partner> partners;
-  for (std::size_t i = 0; i < world.particles.count(); ++i) {
-    partners.clear();
-    std::uint32_t* list = c.incidence.data() + c.incidence_start[i];
-    const std::size_t count = c.incidence_start[i + 1] - c.incidence_start[i];
-    for (std::size_t e = 0; e < count; ++e) {
-      const Key& key = c.key[list[e] >> 1];
-      partners.push_back({key.a == world.particles.id[i] ? key.b : key.a, key.part, key.part_a, list[e]});
-    }
-    std::sort(partners.begin(), partners.end());
-    for (std::size_t e = 0; e < count; ++e) list[e] = partners[e].entry;
-  }
   c.active.resize(c.incidence.size());
   c.active_count.assign(world.particles.count(), 0);
-  for (std::size_t i = 0; i < world.particles.count(); ++i)
-    for (std::uint32_t e = c.incidence_start[i]; e < c.incidence_start[i + 1]; ++e)
-      if (c.counts(c.incidence[e] >> 1))
-        c.active[c.incidence_start[i] + c.active_count[i]++] = c.active_entry(c.incidence[e]);
+#pragma omp parallel num_threads(threads)
+  {
+    std::vector<Partner> partners;
+#pragma omp for schedule(static)
+    for (std::size_t i = 0; i < world.particles.count(); ++i) {
+      partners.clear();
+      std::uint32_t* list = c.incidence.data() + c.incidence_start[i];
+      const std::size_t count = c.incidence_start[i + 1] - c.incidence_start[i];
+      for (std::size_t e = 0; e < count; ++e) {
+        const Key& key = c.key[list[e] >> 1];
+        partners.push_back({key.a == world.particles.id[i] ? key.b : key.a, key.part, key.part_a, list[e]});
+      }
+      std::sort(partners.begin(), partners.end());
+      for (std::size_t e = 0; e < count; ++e) {
+        list[e] = partners[e].entry;
+        if (c.counts(list[e] >> 1)) c.active[c.incidence_start[i] + c.active_count[i]++] = c.active_entry(list[e]);
+      }
+    }
+  }
   std::sort(c.wall_records.begin(), c.wall_records.end(),
             [&](std::uint32_t x, std::uint32_t y) { return c.key[x] < c.key[y]; });
 }
@@ -187,47 +190,54 @@ bool fill_bins(World& world) {
 }
 
 // The rows as records; rows are freed on the way.
-void lay_out(Rows& rows, Contacts& c) {
-  std::size_t total = 0;
-  for (const auto& r : rows) total += r.size();
-  for (auto* v : {&c.index_a, &c.index_b}) {
-    *v = {};
-    v->reserve(total);
-  }
-  c.key.reserve(total);
-  for (auto& block : rows) {
-    for (const Candidate& record : block) {
-      c.key.push_back(record.key);
-      c.index_a.push_back(record.a);
-      c.index_b.push_back(record.b);
+void lay_out(Rows& rows, Contacts& c, int threads) {
+  std::vector<std::size_t> start{0};
+  for (const auto& r : rows) start.push_back(start.back() + r.size());
+  c.index_a = std::vector<std::uint32_t>(start.back());
+  c.index_b = std::vector<std::uint32_t>(start.back());
+  c.key.resize(start.back());
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (std::size_t block = 0; block < rows.size(); ++block) {
+    std::size_t k = start[block];
+    for (const Candidate& record : rows[block]) {
+      c.key[k] = record.key;
+      c.index_a[k] = record.a;
+      c.index_b[k++] = record.b;
     }
-    block = {};
+    rows[block] = {};
   }
 }
 
 // Of each record the one of the same key in the old list, or none. Rows of both lists are sorted.
-std::vector<std::uint32_t> origins(const std::vector<Key>& old, const std::vector<Key>& keys, std::uint64_t next_id) {
+std::vector<std::uint32_t> origins(const std::vector<Key>& old, const std::vector<Key>& keys, std::uint64_t next_id,
+                                   int threads) {
   // Where the rows of the old list begin, by the id of their particle.
   std::vector<std::uint32_t> old_row(next_id, static_cast<std::uint32_t>(old.size()));
   for (std::size_t o = old.size(); o-- > 0;) old_row[old[o].a] = static_cast<std::uint32_t>(o);
   std::vector<std::uint32_t> from(keys.size(), none);
-  std::size_t o = 0;
-  for (std::size_t k = 0; k < keys.size(); ++k) {
-    if (k == 0 || keys[k].a != keys[k - 1].a) o = old_row[keys[k].a];
-    while (o < old.size() && old[o].a == keys[k].a && old[o] < keys[k]) ++o;
-    if (o < old.size() && old[o] == keys[k]) from[k] = static_cast<std::uint32_t>(o);
+  const std::size_t block = 1024, blocks = (keys.size() + block - 1) / block;
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (std::size_t part = 0; part < blocks; ++part) {
+    const std::size_t first = part * block, last = std::min(keys.size(), first + block);
+    std::size_t o = 0;
+    for (std::size_t k = first; k < last; ++k) {
+      if (k == first || keys[k].a != keys[k - 1].a) o = old_row[keys[k].a];
+      while (o < old.size() && old[o].a == keys[k].a && old[o] < keys[k]) ++o;
+      if (o < old.size() && old[o] == keys[k]) from[k] = static_cast<std::uint32_t>(o);
+    }
   }
   return from;
 }
 
 // An array of `width` entries a record for the new records; those that have no origin begin as `fresh`.
 template <class T>
-void carry(std::vector<T>& v, const std::vector<std::uint32_t>& from, std::size_t width = 1, T fresh = {}) {
+void carry(std::vector<T>& v, const std::vector<std::uint32_t>& from, int threads, std::size_t width = 1,
+           T fresh = {}) {
   std::vector<T> next(from.size() * width, fresh);
-  if (!v.empty())
-    for (std::size_t k = 0; k < from.size(); ++k)
-      if (from[k] != none)
-        for (std::size_t j = 0; j < width; ++j) next[k * width + j] = v[from[k] * width + j];
+  const std::size_t records = v.empty() || width == 0 ? 0 : from.size();
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (std::size_t k = 0; k < records; ++k)
+    if (from[k] != none) std::copy_n(&v[from[k] * width], width, &next[k * width]);
   v = std::move(next);
 }
 
@@ -247,7 +257,8 @@ void book_unseen(World& world, const std::vector<Key>& old, const std::vector<st
 
 // Seats for all but the pairs of round bodies, in order of the records, then for those of them that touch; histories
 // move there. Round bodies whose contacts resist rolling have two slots as well.
-void seat_records(World& world, const std::vector<std::uint32_t>& from, const std::vector<std::uint32_t>& old_seat) {
+void seat_records(World& world, const std::vector<std::uint32_t>& from, const std::vector<std::uint32_t>& old_seat,
+                  int threads) {
   Contacts& c = world.contacts;
   c.seat.assign(c.count(), 0);
   for (const Bin& bin : c.bins)
@@ -272,13 +283,15 @@ void seat_records(World& world, const std::vector<std::uint32_t>& from, const st
   c.history.reserve(seats + seats / 8);
   c.slot.reserve(c.first_slot(seats) + seats / 8);
   c.make_seats(seats);
+#pragma omp parallel for schedule(static) num_threads(threads)
   for (std::size_t k = 0; k < c.count(); ++k)
     if (from[k] != none && c.touching[k] != 0) c.history_of(k) = old[old_seat[from[k]]];
 }
 
 // The farthest way of a body from where it was at the last rebuild, squared, m².
-double farthest_square(const World& world) {
+double farthest_square(const World& world, int threads) {
   double farthest = 0;
+#pragma omp parallel for schedule(static) num_threads(threads) reduction(max : farthest)
   for (std::size_t i = 0; i < world.particles.count(); ++i) {
     const Vec3d d = world.particles.motion[i].position - world.contacts.reference[i];
     farthest = std::max(farthest, dot(d, d));
@@ -287,11 +300,11 @@ double farthest_square(const World& world) {
 }
 
 // Looks only where the ways since it looked last may have taken a body that far.
-bool moved(World& world, double half) {
+bool moved(World& world, double half, int threads) {
   Contacts& c = world.contacts;
   c.since_look += c.step_way;
   if (c.since_look < c.look_after) return false;
-  const double farthest = std::sqrt(farthest_square(world));
+  const double farthest = std::sqrt(farthest_square(world, threads));
   c.since_look = 0;
   c.look_after = (half - farthest) * (1 - 0x1p-20);  // what rounds
   return farthest >= half;
@@ -319,12 +332,12 @@ bool moved_in_cell(const World& world, double half) {
 
 }  // namespace
 
-bool candidates_outdated(World& world) {
+bool candidates_outdated(World& world, int threads) {
   const Contacts& c = world.contacts;
   if (c.stale || world.scene.run.rebuild_every == 1) return true;
   if (world.scene.run.rebuild_every > 0 && world.step % world.scene.run.rebuild_every == 0) return true;
   const double half = 0.5 * world.skin;
-  if (world.cell.periodic ? moved_in_cell(world, half) : moved(world, half)) return true;
+  if (world.cell.periodic ? moved_in_cell(world, half) : moved(world, half, threads)) return true;
   if (!c.reference_orientation.empty() && parts_moved(world, half)) return true;
   for (const Wall& w : world.walls) {
     const Quatd turn = w.orientation * shapes::conjugate(w.list_orientation);
@@ -347,25 +360,25 @@ void rebuild_candidates(World& world, int threads) {
   c.groups.clear();
   c.slot = {};
   const std::vector<Key> old = std::exchange(c.key, {});
-  lay_out(rows, c);
-  const std::vector<std::uint32_t> from = origins(old, c.key, world.next_id);
+  lay_out(rows, c, threads);
+  const std::vector<std::uint32_t> from = origins(old, c.key, world.next_id, threads);
   book_unseen(world, old, from);
   const std::size_t total = c.count();
   c.words = record_words(world);
   const std::vector<std::uint32_t> old_seat = std::exchange(c.seat, {});
-  carry(c.touching, from);
-  carry(c.memory, from, c.words);
-  carry(c.ledger, from, world.scene.law.ledger ? 1 : 0);
+  carry(c.touching, from, threads);
+  carry(c.memory, from, threads, c.words);
+  carry(c.ledger, from, threads, world.scene.law.ledger ? 1 : 0);
   std::vector<double> share = std::exchange(c.share, {});  // of those that hold on across a gap
   const bool all_spheres = fill_bins(world);
-  seat_records(world, from, old_seat);
+  seat_records(world, from, old_seat, threads);
   if (!c.share.empty() && !share.empty()) {
-    carry(share, from, 1, 1.0);
+    carry(share, from, threads, 1, 1.0);
     c.share = std::move(share);
   }
-  carry(c.centre, from, all_spheres ? 0 : 1);  // regions are known again by theirs
-  carry(c.cache, from, all_spheres ? 0 : 1);
-  index_by_particle(world);
+  carry(c.centre, from, threads, all_spheres ? 0 : 1);  // regions are known again by theirs
+  carry(c.cache, from, threads, all_spheres ? 0 : 1);
+  index_by_particle(world, threads);
   plan_sweep(world);
   c.reference.resize(p.count());
   for (std::size_t i = 0; i < p.count(); ++i) c.reference[i] = p.motion[i].position;

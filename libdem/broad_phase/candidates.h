@@ -7,7 +7,7 @@
 
 namespace dem {
 
-bool candidates_outdated(World& world);
+bool candidates_outdated(World& world, int threads);
 void rebuild_candidates(World& world, int threads);
 
 }  // namespace dem

@@ -58,6 +58,7 @@ struct BodyStep {
   double dt = 0;  // s
   shapes::Vec3d gravity{};
   std::uint64_t uniform = 0;  // bit k: bodies of kind k keep their spin along their angular momentum (particles.h)
+  std::uint64_t still = 0;    // bit k: bodies of kind k keep their orientation and ∫ω dt (run.turn_spheres)
   bool periodic = false;
   shapes::Vec3d lower{}, centre{};  // of the cell (cell.h), m
   contact::Lattice lattice{};

@@ -72,27 +72,80 @@ IN_LINE Row floored(const Row& x) {
   return Row{__builtin_floor(x[0]), __builtin_floor(x[1]), __builtin_floor(x[2]), __builtin_floor(x[3])};
 }
 
-// Which of four bodies turn uniformly (particles.h).
-struct Turning {
-  bool all = true, none = true;
-  Four::Mask uniform{};
-  IN_LINE Turning(std::uint64_t uniform_kinds, const std::uint8_t* kind) {
-    for (int k = 0; k < 4; ++k) {
-      const bool u = (uniform_kinds >> kind[k] & 1) != 0;
-      uniform.bits[k] = u ? -1 : 0;
-      all = all && u;
-      none = none && !u;
-    }
+// Which of four bodies are of some kinds.
+struct Among {
+  std::uint64_t first, second, third, fourth;
+  IN_LINE Among(std::uint64_t kinds, const std::uint8_t* kind)
+      : first(kinds >> kind[0] & 1),
+        second(kinds >> kind[1] & 1),
+        third(kinds >> kind[2] & 1),
+        fourth(kinds >> kind[3] & 1) {}
+  IN_LINE bool all() const { return (first & second & third & fourth) != 0; }
+  IN_LINE bool none() const { return (first | second | third | fourth) == 0; }
+  IN_LINE Four::Mask lanes() const {
+    using Bits = Four::Bits;
+    return {Bits{} - Bits{static_cast<std::int64_t>(first), static_cast<std::int64_t>(second),
+                          static_cast<std::int64_t>(third), static_cast<std::int64_t>(fourth)}};
   }
 };
+IN_LINE V select(const Four::Mask& m, const V& a, const V& b) {
+  return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
+}
+IN_LINE Q select(const Four::Mask& m, const Q& a, const Q& b) {
+  return {select(m, a.w, b.w), select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
+}
 
-IN_LINE V spin_of_four(const Turning& turning, const Q& q, const V& momentum, const V& inertia) {
+IN_LINE V spin_of_four(const Among& uniform, const Q& q, const V& momentum, const V& inertia) {
   const V about = momentum * (Four(1.0) / inertia.x);
-  if (turning.all) return about;
+  if (uniform.all()) return about;
   const V free = spin_of(q, momentum, inertia);
-  if (turning.none) return free;
-  return {select(turning.uniform, about.x, free.x), select(turning.uniform, about.y, free.y),
-          select(turning.uniform, about.z, free.z)};
+  return uniform.none() ? free : select(uniform.lanes(), about, free);
+}
+
+IN_LINE Q load(const Quatd* q) {
+  const auto* row = reinterpret_cast<const LooseRow*>(q);
+  const Rows r = Rows{row[0], row[1], row[2], row[3]}.turned();
+  return {r.a, r.b, r.c, r.d};
+}
+IN_LINE void store(Quatd* to, const Q& q) {
+  const Rows r = Rows{q.w.v, q.x.v, q.y.v, q.z.v}.turned();
+  auto* row = reinterpret_cast<LooseRow*>(to);
+  row[0] = r.a;
+  row[1] = r.b;
+  row[2] = r.c;
+  row[3] = r.d;
+}
+
+// Turns four bodies by a step; their spins after it. What of their farthest points' ways comes of the turn goes to
+// `way`.
+IN_LINE V turn(const BodyArrays& p, const BodyStep& s, std::size_t i, const Among& uniform, const V& momentum,
+               const V& inertia, const Four& radius, Four& way) {
+  const V about = momentum * (Four(1.0) / inertia.x);
+  const Among still(s.still, p.kind + i);
+  if (still.all() && uniform.all()) return about;
+  const Q before = load(p.orientation + i);
+  V spin = about;
+  Q q;
+  if (uniform.all()) {
+    q = rotated_uniformly(before, about, s.dt);
+  } else {
+    q = rotated_freely(before, momentum, inertia, s.dt);
+    if (!uniform.none()) q = select(uniform.lanes(), rotated_uniformly(before, about, s.dt), q);
+    spin = spin_of_four(uniform, q, momentum, inertia);
+  }
+  const V had = load(p.rotation + i);
+  V has = had + spin * Four(s.dt);
+  if (!still.none()) {
+    q = select(still.lanes(), before, q);
+    has = select(still.lanes(), had, has);
+  }
+  store(p.orientation + i, q);
+  store_rows(p.rotation + i, rows(has));
+  if (p.travel != nullptr) {  // travel_of (coherence.h)
+    const Four w = q.w - before.w, x = q.x - before.x, y = q.y - before.y, z = q.z - before.z;
+    way = way + Four(2.0) * radius * sqrt(w * w + x * x + y * y + z * z);
+  }
+  return spin;
 }
 
 // One body after the other; p points to the first of four.
@@ -158,14 +211,8 @@ IN_LINE void four_bodies(const BodyArrays& p, const SumLists& lists, const BodyS
     g.t = load_rows(p.torque + i);
   }
   g.momentum = load(p.angular_momentum + i);
-  const Turning turning(s.uniform, p.kind + i);
+  const Among uniform(s.uniform, p.kind + i);
   const V inertia = load(p.inertia + i);
-  const Rows turned =
-      Rows{reinterpret_cast<const LooseRow&>(p.orientation[i]), reinterpret_cast<const LooseRow&>(p.orientation[i + 1]),
-           reinterpret_cast<const LooseRow&>(p.orientation[i + 2]),
-           reinterpret_cast<const LooseRow&>(p.orientation[i + 3])}
-          .turned();
-  const Q before{turned.a, turned.b, turned.c, turned.d};
   if (s.end) {
     if (s.deforms) g.slow();
     g.kick();
@@ -175,30 +222,10 @@ IN_LINE void four_bodies(const BodyArrays& p, const SumLists& lists, const BodyS
     g.kick();
     if (s.deforms) g.slow();
     const V moved = lanes({g.drift(g.x.a, g.v.a), g.drift(g.x.b, g.v.b), g.drift(g.x.c, g.v.c), g.drift(g.x.d, g.v.d)});
-    Q q;
-    if (turning.all) {
-      spin = g.momentum * (Four(1.0) / inertia.x);
-      q = rotated_uniformly(before, spin, s.dt);
-    } else {
-      q = rotated_freely(before, g.momentum, inertia, s.dt);
-      if (!turning.none) {
-        const Q about = rotated_uniformly(before, g.momentum * (Four(1.0) / inertia.x), s.dt);
-        q = {select(turning.uniform, about.w, q.w), select(turning.uniform, about.x, q.x),
-             select(turning.uniform, about.y, q.y), select(turning.uniform, about.z, q.z)};
-      }
-      spin = spin_of_four(turning, q, g.momentum, inertia);
-    }
-    const Rows out = Rows{q.w.v, q.x.v, q.y.v, q.z.v}.turned();
-    reinterpret_cast<LooseRow&>(p.orientation[i]) = out.a;
-    reinterpret_cast<LooseRow&>(p.orientation[i + 1]) = out.b;
-    reinterpret_cast<LooseRow&>(p.orientation[i + 2]) = out.c;
-    reinterpret_cast<LooseRow&>(p.orientation[i + 3]) = out.d;
-    store_rows(p.rotation + i, rows(load(p.rotation + i) + spin * Four(s.dt)));
     Four way = dot(moved, moved);
-    if (p.travel != nullptr) {  // travel_of (coherence.h)
-      const Four w = q.w - before.w, x = q.x - before.x, y = q.y - before.y, z = q.z - before.z;
-      const Four radius = Row{g.x.a[3], g.x.b[3], g.x.c[3], g.x.d[3]};
-      way = sqrt(way) + Four(2.0) * radius * sqrt(w * w + x * x + y * y + z * z);
+    if (p.travel != nullptr) way = sqrt(way);
+    spin = turn(p, s, i, uniform, g.momentum, inertia, Row{g.x.a[3], g.x.b[3], g.x.c[3], g.x.d[3]}, way);
+    if (p.travel != nullptr) {
       LooseRow& travel = reinterpret_cast<LooseRow&>(p.travel[i]);
       travel = travel + way.v;
     }
@@ -208,7 +235,7 @@ IN_LINE void four_bodies(const BodyArrays& p, const SumLists& lists, const BodyS
     row(m[2], 0) = g.x.c;
     row(m[3], 0) = g.x.d;
   } else {
-    spin = spin_of_four(turning, before, g.momentum, inertia);
+    spin = spin_of_four(uniform, load(p.orientation + i), g.momentum, inertia);
   }
   store_rows(p.angular_momentum + i, rows(g.momentum));
   row(m[0], 1) = g.v.a;

@@ -25,9 +25,16 @@ void turn_about(const T& angle, shapes::Quat<T>& q, shapes::Vec3<T>& pi) {
   const T pj = pi[j], pk = pi[k];
   pi[j] = c1 * pj + s1 * pk;
   pi[k] = c1 * pk - s1 * pj;
-  shapes::Quat<T> r{T(1), T(0), T(0), T(0)};
-  (axis == 0 ? r.x : axis == 1 ? r.y : r.z) = t;
-  q = q * r;  // normalised once at the end: the factor sqrt(1 + t²) drops out there
+  // q times (1, t about the axis); normalised once at the end: the factor sqrt(1 + t²) drops out there.
+  T v[3] = {q.x, q.y, q.z};
+  const T w = q.w, vi = v[axis], vj = v[j], vk = v[k];
+  q.w = w - vi * t;
+  v[axis] = vi + w * t;
+  v[j] = vj + vk * t;
+  v[k] = vk - vj * t;
+  q.x = v[0];
+  q.y = v[1];
+  q.z = v[2];
 }
 }  // namespace detail
 
@@ -37,12 +44,12 @@ shapes::Quat<T> rotated_freely(const shapes::Quat<T>& orientation, const shapes:
                                const shapes::Vec3<T>& inertia, double h) {
   shapes::Quat<T> q = orientation;
   shapes::Vec3<T> pi = shapes::transposed_times(shapes::rotation_matrix(q), momentum);
-  const T half(0.5 * h), whole(h);
-  detail::turn_about<0>(half * pi.x / inertia.x, q, pi);
-  detail::turn_about<1>(half * pi.y / inertia.y, q, pi);
-  detail::turn_about<2>(whole * pi.z / inertia.z, q, pi);
-  detail::turn_about<1>(half * pi.y / inertia.y, q, pi);
-  detail::turn_about<0>(half * pi.x / inertia.x, q, pi);
+  const T half(0.5 * h), of_x = half / inertia.x, of_y = half / inertia.y, of_z = T(h) / inertia.z;
+  detail::turn_about<0>(of_x * pi.x, q, pi);
+  detail::turn_about<1>(of_y * pi.y, q, pi);
+  detail::turn_about<2>(of_z * pi.z, q, pi);
+  detail::turn_about<1>(of_y * pi.y, q, pi);
+  detail::turn_about<0>(of_x * pi.x, q, pi);
   return shapes::normalized(q);
 }
 

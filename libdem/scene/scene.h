@@ -27,6 +27,7 @@ struct RunSpec {
   double skin = -1;                 // m; < 0: auto
   std::uint64_t rebuild_every = 0;  // steps; 0: when a body has moved by half the skin; 1: every step
   std::uint64_t seed = 1;
+  bool turn_spheres = true;             // false: orientations of spheres and discs, which no contact asks for, stay
   std::string until;                    // condition that ends the run before its time; see libdem/events/condition.h
   std::uint64_t check_every = 100;      // steps between looks at the conditions of `until` and of events
   double max_initial_overlap = 0.05;    // of the smaller inscribed radius

@@ -92,6 +92,9 @@ std::vector<Key> run_keys() {
           "rebuild_every", "",
           "Steps between rebuilds of the neighbour list; 0 = when a body has moved by half the skin.")
           .from(0),
+      value<&RunSpec::turn_spheres>("turn_spheres", "",
+                                    "false: spheres and discs keep the orientation they began with, which no contact "
+                                    "asks for, and their rotation is not added up; all else is the same, and faster."),
       value<&RunSpec::seed>("seed", "", "Seed of the random numbers that place and turn the bodies of a fill.").from(0),
       value<&RunSpec::max_initial_overlap>("max_initial_overlap", "",
                                            "Largest overlap at the start, in smaller inscribed radii; more is refused.")

@@ -56,6 +56,7 @@ SphereChunk sphere_chunk(unsigned seed) {
   for (std::size_t i = 0; i < chunk_size; ++i) {
     s.radius_a[i] = draw.in(1e-3, 1e-2);
     s.radius_b[i] = draw.in(1e-3, 1e-2);
+    s.inverse_mass[i] = draw.in(1e2, 1e6);
     put(s.offset, i, draw.unit() * ((s.radius_a[i] + s.radius_b[i]) * draw.in(0.98, 1.001)));
     put(s.spin_a, i, draw.vector(100));
     put(s.spin_b, i, draw.vector(100));

@@ -45,9 +45,10 @@ struct Case {
 
   explicit Case(std::uint64_t seed) : history(2 * chunk_size), slot(4 * chunk_size) {
     Numbers number(seed);
-    for (std::size_t i = 0; i < body_count; ++i)
-      motion.push_back({number.vector(2 * radius), number(0.5, 2) * radius, number.vector(0.3), number(1e4, 1e6),
-                        number.vector(50), radius});
+    for (std::size_t i = 0; i < body_count; ++i) {
+      const double own = number(0.5, 2) * radius;
+      motion.push_back({number.vector(2 * radius), own, number.vector(0.3), number(1e4, 1e6), number.vector(50), own});
+    }
     for (int i = 0; i < 3; ++i)
       plane.push_back({number.vector(radius), 0, number.vector(0.1), 0, number.vector(20), 0, number.unit(), 0});
     count = 1 + static_cast<std::size_t>(number(0, chunk_size));

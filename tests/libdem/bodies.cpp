@@ -113,14 +113,15 @@ void advance_one(Bodies& b, const BodyStep& s, const Cell& cell, bool travels, s
     const Vec3d moved = m.position - before;
     if (s.periodic) cell.wrap(m.position);
     const Quatd turned = b.orientation[i];
+    const bool still = (s.still >> static_cast<unsigned>(b.kind[i]) & 1) != 0;
     if (uniform) {
       set_spin();
-      b.orientation[i] = rotated_uniformly(turned, m.spin, s.dt);
+      if (!still) b.orientation[i] = rotated_uniformly(turned, m.spin, s.dt);
     } else {
       b.orientation[i] = rotated_freely(turned, b.momentum[i], b.inertia[i], s.dt);
       set_spin();
     }
-    b.rotation[i] += m.spin * s.dt;
+    if (!still) b.rotation[i] += m.spin * s.dt;
     double way = dot(moved, moved);
     if (travels) {
       way = travel_of(moved, turned, b.orientation[i], m.bounding_radius);
@@ -152,7 +153,7 @@ TEST(Bodies, InLanesAreOneBodyAtATime) {
   for (const contact::kernels::KernelSet* set : contact::kernels::kernel_sets())
     for (std::size_t n = 1; n <= 13; ++n)
       for (const auto& kinds : mixtures)
-        for (unsigned flags = 0; flags < 128; ++flags) {
+        for (unsigned flags = 0; flags < 256; ++flags) {
           const Cell cell = box((flags & 8) != 0);
           BodyStep s{.sum = (flags & 1) != 0,
                      .end = (flags & 2) != 0,
@@ -161,7 +162,8 @@ TEST(Bodies, InLanesAreOneBodyAtATime) {
                      .deforms = (flags & 32) != 0,
                      .dt = 0.5,
                      .gravity = {0.5, -9, 0.25},
-                     .uniform = uniform_kinds(),
+                     .uniform = kinds_that(turns_uniformly),
+                     .still = (flags & 128) != 0 ? kinds_that(is_round) : 0,
                      .periodic = cell.periodic,
                      .lower = cell.lower,
                      .centre = cell.centre,

@@ -49,8 +49,7 @@ struct AdhesivePlasticSpring {
     const T k2 = select(hardens, k1 + rise * select(some, m / select(some, limit, T(1)), T(1)), k1);  // (4)
     const T fe = k1 * m - k2 * (m - k.overlap);
     s.overlap_max = m;
-    const T c0 = T(damping_factor) * p.damping * sqrt(k.mass_eff * k1);
-    const T c = c0 * lag_factor(c0, k.mass_eff, k.dt, 1.0);
+    const T c = lagging_dashpot(T(damping_factor) * p.damping, k1, k.mass_eff, k.dt, 1.0);
     const T w = select(k.onset > T(0), k.onset + T(0.5), T(1));
     const T f = fe + w * c * k.closing_speed;
     NormalForce<T> out;

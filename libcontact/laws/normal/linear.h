@@ -1,7 +1,7 @@
 // Linear spring and dashpot, clipped at zero force or not at all.
 //   Fe = kn δ                 [N]      (9.20)
 //   cn = 2 β sqrt(m* kn)      [N s/m]  (9.26) with m* for the m in print
-//   F  = max(least, Fe + s w cn dδ/dt) (9.24)   s: lag_factor of kinematics.h
+//   F  = max(least, Fe + s w cn dδ/dt) (9.24)   s: lagging_dashpot of kinematics.h
 //   kt = kn / κ               [N/m]    (9.23);  ct = 2 β sqrt(m* kt)  (9.27)
 //   least = 0 when clipped, else −∞
 //   w  = f + ½ in the first step of a contact, of which the part f was spent in contact, else 1: the step's force
@@ -28,9 +28,8 @@ struct Linear {
   template <class T>
   static NormalForce<T> update(const PairOf<T>& p, const Kinematics<T>& k, const LawOptions& o, State<T>&) {
     using std::sqrt;
-    const T fe = p.stiffness_n * k.overlap;                                         // (9.20)
-    const T c0 = T(damping_factor) * p.damping * sqrt(k.mass_eff * p.stiffness_n);  // (9.26)
-    const T cn = c0 * lag_factor(c0, k.mass_eff, k.dt, 1.0);
+    const T fe = p.stiffness_n * k.overlap;                                                             // (9.20)
+    const T cn = lagging_dashpot(T(damping_factor) * p.damping, p.stiffness_n, k.mass_eff, k.dt, 1.0);  // (9.26)
     const T w = select(k.onset > T(0), k.onset + T(0.5), T(1));
     const T f = fe + w * cn * k.closing_speed;  // (9.24)
     NormalForce<T> out;

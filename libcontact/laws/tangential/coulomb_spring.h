@@ -19,9 +19,9 @@ shapes::Vec3<T> carried(const shapes::Vec3<T>& f, const shapes::Vec3<T>& n_old, 
                         const T& angle) {
   const T c = dot(n_old, n);
   const shapes::Vec3<T> v = cross(n_old, n);
-  shapes::Vec3<T> g = f * c + cross(v, f) + v * (dot(v, f) / (T(1) + c));
-  g -= n * dot(n, g);  // rounding only
-  const T t = T(0.5) * angle, s = T(1) / (T(1) + t * t);
+  const T t = T(0.5) * angle, turned = T(1) + t * t, stays = T(1) + c, both = T(1) / (turned * stays);
+  shapes::Vec3<T> g = f * c + cross(v, f) + v * (dot(v, f) * (turned * both));
+  const T s = stays * both;
   return g * ((T(1) - t * t) * s) + cross(n, g) * ((t + t) * s);
 }
 
