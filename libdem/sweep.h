@@ -53,7 +53,6 @@ class BodyPass {
     const std::size_t first = number * bodies_at_once;
     SumLists lists = lists_;
     lists.ring = ring;
-    lists.far = lists.far && ring.mask == SlotRing{}.mask;  // those in a ring are near
     kernel_(arrays_, lists, step_, first, std::min(count_, first + bodies_at_once), tally);
   }
   // What a block's bodies read beside their motions and slots, ahead of its turn.
