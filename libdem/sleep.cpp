@@ -16,12 +16,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 void wake_round(const World& world, Bin& bin, double way, int threads) {
   const Contacts& c = world.contacts;
   const Motion* motion = world.particles.motion.data();
+  const auto count = static_cast<std::uint32_t>(bin.records.size());
   bin.awake.clear();
 #pragma omp parallel num_threads(threads)
   {
     std::vector<std::uint32_t> mine;
 #pragma omp for schedule(static) nowait
-    for (std::uint32_t r = 0; r < bin.records.size(); ++r) {
+    for (std::uint32_t r = 0; r < count; ++r) {
       if (c.seat[bin.records[r]] != none) continue;
       const Motion &a = motion[bin.a_index[r]], &b = motion[bin.b_index[r]];
       Vec3d d = b.position - a.position;

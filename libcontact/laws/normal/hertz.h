@@ -8,7 +8,7 @@
 //   least = 0 when clipped, else −∞
 // Source: Seville & Wu, Particle Technology and Engineering (2016), ch. 9; Tsuji, Tanaka, Ishida, Powder Technol. 71
 // (1992) 239. Valid a << R*. With β from damping_of(e) the rebound speed ratio is e at every impact speed, within
-// 0.2 % at dt = contact time/50. Cost: seven square roots. Tests: tests/libcontact/laws_*.cpp,
+// 0.2 % at dt = contact time/50. Cost: six square roots. Tests: tests/libcontact/laws_*.cpp,
 // tests/libdem/two_bodies_*.cpp
 #pragma once
 
