@@ -1,6 +1,7 @@
 // Normal forces against closed forms, and the damping ratio that hits a restitution.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "libcontact/laws/mix.h"
@@ -67,6 +68,23 @@ TEST(NormalLaws, PullAgainstASeparationWhenNotClipped) {
   EXPECT_DOUBLE_EQ(linear.force, linear.elastic - 10 * linear.damping);
   EXPECT_LT(hertz.force, 0);
   EXPECT_LT(linear.force, 0);
+}
+
+// One root for the dashpot of a finite step, where its definition takes two and a division.
+TEST(Damping, OfAFiniteStepIsTheFactorTimesTheDashpot) {
+  double largest = 0;
+  for (const double beta : {0.0, 1e-3, 0.3, 1.0, 20.0})
+    for (const double stiffness : {1e-3, 1e4, 1e12})
+      for (const double mass : {1e-15, 2e-2, 1e6})
+        for (const double part : {0.0, 1e-3, 0.1, 1.0})  // of the time sqrt(m/k)
+          for (const double p : {1.0, 10.0 / 11.0}) {
+            const double dt = part * std::sqrt(mass / stiffness), c0 = beta * std::sqrt(mass * stiffness);
+            const double x = 0.25 * p * c0 * dt / mass;
+            largest = std::max(largest, x);
+            EXPECT_NEAR(lagging_dashpot(beta, stiffness, mass, dt, p), c0 * lag_factor(c0, mass, dt, p),
+                        1e-15 * c0 * (1 + x));
+          }
+  EXPECT_GT(largest, 4);
 }
 
 TEST(Damping, ClippedRestitutionOfTheClassicalRatio) {  // β = −ln e/sqrt(π² + ln² e) used with the clipped end
