@@ -187,7 +187,8 @@ std::size_t PolygonPass::answer(const Bin& bin, const std::uint32_t* places, std
   static thread_local Lanes lanes;
   lanes.count = lanes.pairs = 0;
   std::size_t left = 0;
-  for (std::size_t p = 0; p < count; ++p) fetch(bin, places[p]);
+  if (far_)
+    for (std::size_t p = 0; p < count; ++p) fetch(bin, places[p]);
   for (std::size_t p = 0; p < count; ++p) {
     const std::uint32_t r = places[p];
     if (lanes.count + (bin.regions ? contact::max_regions : 1) > chunk_size) left = flush(bin, lanes, rest, left, s, t);
