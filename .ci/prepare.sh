@@ -81,6 +81,11 @@ test_attribute() { # file name: an attribute of the first element of a JUnit rep
   sed -n "s/.*[[:space:]]$2=\"\([0-9]*\)\".*/\1/p" "$1" | head -n 1
 }
 
+say_tests() { # prints the numbers; fails when no test ran
+  say "Tests: $tests_passed passed, $tests_failed failed, $tests_skipped skipped"
+  [ $((tests_passed + tests_failed)) -gt 0 ]
+}
+
 # count_tests FILE: sets tests_passed, tests_failed, tests_skipped from a JUnit report of ctest, names what was skipped and
 # prints the numbers. Fails when no test ran.
 count_tests() {
@@ -96,8 +101,7 @@ count_tests() {
     say "Skipped:"
     sed -n 's/.*<testcase name="\([^"]*\)".*status="\(notrun\|disabled\)".*/  \1/p' "$1"
   fi
-  say "Tests: $tests_passed passed, $tests_failed failed, $tests_skipped skipped"
-  [ $((tests_passed + tests_failed)) -gt 0 ]
+  say_tests
 }
 
 # sum_tests FILES: the same numbers from the reports that GoogleTest wrote, each of a part of the tests.
@@ -105,6 +109,5 @@ sum_tests() {
   tests_skipped=$(cat "$@" | grep -cE '<testcase .*(result="skipped"|status="notrun")')
   tests_failed=$(cat "$@" | awk '/<testcase / { failed = 0 } /<failure / && !failed { ++n; failed = 1 } END { print n + 0 }')
   tests_passed=$(($(cat "$@" | grep -c '<testcase ') - tests_skipped - tests_failed))
-  say "Tests: $tests_passed passed, $tests_failed failed, $tests_skipped skipped"
-  [ $((tests_passed + tests_failed)) -gt 0 ]
+  say_tests
 }

@@ -47,6 +47,10 @@ def arguments():
     return parser.parse_args()
 
 
+def orientations(args):
+    return [] if args.turn_spheres else [spheres.NOT_TURNED]
+
+
 def bed_of_spheres(args, name, folder):
     """The runs of a bed of spheres: {program: function}, each gives a result."""
     count = {"1e4": 10_000, "1e5": 100_000, "1e6": 1_000_000}[name.split("_")[1]]
@@ -56,7 +60,7 @@ def bed_of_spheres(args, name, folder):
     rows, size_x, size_y = spheres.bed(count)
     spheres.write_bed(folder, rows, size_x, size_y)
     ours = [f"run.steps={steps + warm}", f"run.dt={spheres.DT}", f"run.skin={spheres.SKIN}", f"run.rebuild_every={every}"]
-    ours += [] if args.turn_spheres else [spheres.NOT_TURNED]
+    ours += orientations(args)
     variables = {"data": "bed.data", "Lx": size_x, "Ly": size_y, "warm": warm, "steps": steps, "skin": spheres.SKIN,
                  "dt": spheres.DT, "every": every}
     runs = {"dem": lambda: dem_result(run_dem(args.dem, os.path.join(folder, "bed.toml"), os.path.join(folder, "out"), cores, ours)),
@@ -80,7 +84,7 @@ def drum(args, folder):
     rows = spheres.flowing(os.path.join(start, "final.csv"), rows)
     spheres.write_drum(folder, rows)
     warm, steps = 50, 500
-    ours = [f"run.steps={steps + warm}", f"run.skin={spheres.SKIN}"] + ([] if args.turn_spheres else [spheres.NOT_TURNED])
+    ours = [f"run.steps={steps + warm}", f"run.skin={spheres.SKIN}"] + orientations(args)
     variables = {"data": "drum.data", "R": spheres.DRUM_RADIUS, "W": spheres.DRUM_WIDTH, "rate": spheres.DRUM_RATE, "warm": warm,
                  "steps": steps, "skin": spheres.SKIN, "dt": spheres.DT}
     return {"dem": lambda: dem_result(run_dem(args.dem, os.path.join(folder, "drum.toml"), os.path.join(folder, "out"), 1, ours)),

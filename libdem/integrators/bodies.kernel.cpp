@@ -88,9 +88,6 @@ struct Among {
                           static_cast<std::int64_t>(third), static_cast<std::int64_t>(fourth)}};
   }
 };
-IN_LINE V select(const Four::Mask& m, const V& a, const V& b) {
-  return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
-}
 IN_LINE Q select(const Four::Mask& m, const Q& a, const Q& b) {
   return {select(m, a.w, b.w), select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
 }

@@ -26,15 +26,12 @@ void turn_about(const T& angle, shapes::Quat<T>& q, shapes::Vec3<T>& pi) {
   pi[j] = c1 * pj + s1 * pk;
   pi[k] = c1 * pk - s1 * pj;
   // q times (1, t about the axis); normalised once at the end: the factor sqrt(1 + t²) drops out there.
-  T v[3] = {q.x, q.y, q.z};
-  const T w = q.w, vi = v[axis], vj = v[j], vk = v[k];
-  q.w = w - vi * t;
-  v[axis] = vi + w * t;
-  v[j] = vj + vk * t;
-  v[k] = vk - vj * t;
-  q.x = v[0];
-  q.y = v[1];
-  q.z = v[2];
+  const shapes::Vec3<T> v{q.x, q.y, q.z};
+  shapes::Vec3<T> turned;
+  turned[axis] = v[axis] + q.w * t;
+  turned[j] = v[j] + v[k] * t;
+  turned[k] = v[k] - v[j] * t;
+  q = {q.w - v[axis] * t, turned.x, turned.y, turned.z};
 }
 }  // namespace detail
 
