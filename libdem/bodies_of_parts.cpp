@@ -26,12 +26,11 @@ std::vector<std::array<double, 4>> spheres_of_file(const std::string& path) {
   constexpr const char* names[] = {"x", "y", "z", "radius"};
   for (std::size_t k = 0; k < 4; ++k) columns[k] = io::column(table, names[k]);
   std::vector<std::array<double, 4>> spheres;
-  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+  for (std::size_t r = 0; r < table.row_count(); ++r) {
     auto& ball = spheres.emplace_back();
     for (std::size_t k = 0; k < 4; ++k) ball[k] = io::number(table, r, columns[k]);
     if (!(ball[3] > 0))
-      input_error({path, table.lines[r], table.positions[r][columns[3]]},
-                  "radius = " + table.rows[r][columns[3]] + ": allowed radius > 0");
+      input_error(table.where(r, columns[3]), "radius = " + table.cell(r, columns[3]) + ": allowed radius > 0");
   }
   if (spheres.empty()) input_error({path, table.header_line, 1}, "the file has no spheres");
   return spheres;

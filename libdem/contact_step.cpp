@@ -11,6 +11,7 @@
 #include "libdem/forces_compound.h"
 #include "libdem/meetings.h"
 #include "libdem/pair_answers.h"
+#include "libdem/release.h"
 #include "libdem/sleep.h"
 #include "libdem/stopwatch.h"
 #include "libdem/sweep.h"
@@ -199,8 +200,15 @@ class ContactStep {
       for (std::size_t i = 0; i < total.size(); ++i) total[i] += s.tally[i];
       changed.insert(changed.end(), s.changed.begin(), s.changed.end());
       through.insert(through.end(), s.through.begin(), s.through.end());
-      s.changed.clear();
-      s.through.clear();
+      const auto empty = [](auto& list) {  // at the first step all contacts come
+        constexpr std::size_t usual = 4096;
+        if (list.capacity() > usual)
+          release(list);
+        else
+          list.clear();
+      };
+      empty(s.changed);
+      empty(s.through);
     }
   }
 

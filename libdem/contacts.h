@@ -160,6 +160,7 @@ struct Contacts {
   std::vector<std::uint32_t> wall_records;  // records with a wall
   std::vector<Vec3d> reference;             // particle positions at the last rebuild
   double largest_sum = 0;                   // of the bounding radii of two bodies, m
+  std::vector<double> allowance;            // per particle: way that the list holds for, m; see allowance.h
   bool stale = true;                        // the list must be rebuilt before it is used
   std::size_t count() const { return key.size(); }
 
@@ -179,8 +180,12 @@ struct Contacts {
   }
   // Seats in all, the new ones at rest.
   void make_seats(std::size_t seats) {
-    history.resize(seats);
-    slot.resize(first_slot(static_cast<std::uint32_t>(seats)));
+    const auto grow = [](auto& list, std::size_t size) {  // a few at a time: not to twice the size
+      if (size > list.capacity()) list.reserve(size + size / 8);
+      list.resize(size);
+    };
+    grow(history, seats);
+    grow(slot, first_slot(static_cast<std::uint32_t>(seats)));
   }
   // Adds a touching contact to a list that output reads, until the next rebuild makes the full one.
   void list(const Key& of, std::uint32_t a, std::uint32_t b, const contact::History& remembered, const Vec3d& force) {

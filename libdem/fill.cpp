@@ -69,11 +69,11 @@ void add_csv(World& world, const CsvSpec& spec) {
       input_error({spec.file, table.header_line, 1}, "column \"" + name + "\" is not known");
   for (const char* name : {"x", "y", "z"})
     if (!has(name)) input_error({spec.file, table.header_line, 1}, std::string("column \"") + name + "\" is missing");
-  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+  for (std::size_t r = 0; r < table.row_count(); ++r) {
     const Where here{spec.file, table.lines[r], 1};
-    const std::uint32_t s = shape_index(world, has("shape") ? table.rows[r][column["shape"]] : spec.shape, here);
+    const std::uint32_t s = shape_index(world, has("shape") ? table.cell(r, column["shape"]) : spec.shape, here);
     const std::uint32_t m =
-        material_index(world, has("material") ? table.rows[r][column["material"]] : spec.material, here);
+        material_index(world, has("material") ? table.cell(r, column["material"]) : spec.material, here);
     double scale = value(r, "scale", 1);
     if (has("radius")) {
       if (!is_round(world.shapes[s].kind)) input_error(here, "column \"radius\" is for spheres and discs");
@@ -89,7 +89,7 @@ void add_csv(World& world, const CsvSpec& spec) {
     add_particle(world, s, m, scale, {value(r, "x", 0), value(r, "y", 0), value(r, "z", 0)}, q,
                  {value(r, "vx", 0), value(r, "vy", 0), value(r, "vz", 0)},
                  {value(r, "wx", 0), value(r, "wy", 0), value(r, "wz", 0)});
-    if (has("species")) world.particles.species.back() = species_index(world, table.rows[r][column["species"]], here);
+    if (has("species")) world.particles.species.back() = species_index(world, table.cell(r, column["species"]), here);
   }
 }
 

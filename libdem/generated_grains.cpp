@@ -30,10 +30,10 @@ class Sample {
 
   std::vector<shapes::FormTarget> rows_of(const std::string& set) const {
     if (!set.empty() && !set_) input_error(header(), "the file has no column 'set'");
-    const auto set_of = [&](std::size_t r) { return set_ ? table_.rows[r][*set_] : std::string(); };
+    const auto set_of = [&](std::size_t r) { return set_ ? table_.cell(r, *set_) : std::string(); };
     std::vector<shapes::FormTarget> rows;
     std::set<std::string> sets;
-    for (std::size_t r = 0; r < table_.rows.size(); ++r) {
+    for (std::size_t r = 0; r < table_.row_count(); ++r) {
       sets.insert(set_of(r));
       if (set.empty() || set_of(r) == set) rows.push_back(row(r));
     }
@@ -45,11 +45,11 @@ class Sample {
 
  private:
   Where header() const { return {table_.path, table_.header_line, 1}; }
-  Where at(std::size_t r, std::size_t c) const { return {table_.path, table_.lines[r], table_.positions[r][c]}; }
+  Where at(std::size_t r, std::size_t c) const { return table_.where(r, c); }
 
   double positive(std::size_t r, std::size_t c) const {
     const double x = io::number(table_, r, c);
-    if (!(x > 0)) input_error(at(r, c), fmt::format("{} = {}: allowed > 0", table_.columns[c], table_.rows[r][c]));
+    if (!(x > 0)) input_error(at(r, c), fmt::format("{} = {}: allowed > 0", table_.columns[c], table_.cell(r, c)));
     return x;
   }
 

@@ -66,7 +66,7 @@ class Output {
     if (due(world.step, checkpoint_every_)) checkpoint(world);
   }
   void checkpoint(const World& world) const {
-    if (!silent_) io::write_checkpoint(options_.folder, world.step, save_state(world));
+    if (!silent_) io::write_checkpoint(options_.folder, world);
   }
   void frame(const World& world) {
     if (vtk_) vtk_->write(world);

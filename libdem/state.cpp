@@ -8,9 +8,10 @@
 namespace dem {
 namespace {
 
-// Written twice: first to count bytes, then into them.
+// Small values are put together into pieces.
 class Writer {
  public:
+  explicit Writer(const Sink& sink) : sink_(sink) { held_.reserve(piece); }
   template <class T>
   void value(const T& v) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -25,18 +26,23 @@ class Writer {
   void items(const T* v, std::size_t count) {
     put(v, count * sizeof(T));
   }
-  void begin() {
-    bytes.resize(at_);
-    at_ = 0;
+  void flush() {
+    sink_(held_);
+    held_.clear();
   }
-  std::vector<std::uint8_t> bytes;
 
  private:
+  static constexpr std::size_t piece = 1 << 16;
   void put(const void* from, std::size_t size) {
-    if (!bytes.empty() && size > 0) std::memcpy(bytes.data() + at_, from, size);
-    at_ += size;
+    const std::span bytes(static_cast<const std::uint8_t*>(from), size);
+    if (held_.size() + size > piece) flush();
+    if (size > piece)
+      sink_(bytes);
+    else
+      held_.insert(held_.end(), bytes.begin(), bytes.end());
   }
-  std::size_t at_ = 0;
+  const Sink& sink_;
+  std::vector<std::uint8_t> held_;
 };
 
 class Reader {
@@ -168,12 +174,17 @@ void write(Writer& w, const World& world) {
 
 }  // namespace
 
+void save_state(const World& world, const Sink& sink) {
+  Writer w(sink);
+  write(w, world);
+  w.flush();
+}
+
 std::vector<std::uint8_t> save_state(const World& world) {
-  Writer w;
-  write(w, world);
-  w.begin();
-  write(w, world);
-  return std::move(w.bytes);
+  std::vector<std::uint8_t> bytes;
+  save_state(world,
+             [&](std::span<const std::uint8_t> piece) { bytes.insert(bytes.end(), piece.begin(), piece.end()); });
+  return bytes;
 }
 
 void load_state(World& world, const std::vector<std::uint8_t>& bytes) {

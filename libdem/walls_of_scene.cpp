@@ -52,13 +52,12 @@ void read_motion(WallSpec& m) {
   const auto angle = io::find_column(table, "angle");
   if (!way[0] && !way[1] && !way[2] && !angle)
     input_error({m.table_file, table.header_line, 1}, "no motion: give at least one of the columns x, y, z, angle");
-  if (table.rows.empty()) input_error({m.table_file, table.header_line, 1}, "the table of the motion has no rows");
-  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+  if (table.row_count() == 0) input_error({m.table_file, table.header_line, 1}, "the table of the motion has no rows");
+  for (std::size_t r = 0; r < table.row_count(); ++r) {
     const double t = io::number(table, r, time);
     if (r > 0 && !(t > io::number(table, r - 1, time)))
-      input_error({m.table_file, table.lines[r], table.positions[r][time]},
-                  "time = " + table.rows[r][time] + " does not follow " + table.rows[r - 1][time] +
-                      ": allowed are rising times");
+      input_error(table.where(r, time), "time = " + table.cell(r, time) + " does not follow " +
+                                            table.cell(r - 1, time) + ": allowed are rising times");
     const auto value = [&](const std::optional<std::size_t>& c) { return c ? io::number(table, r, *c) : 0.0; };
     if (way[0] || way[1] || way[2]) m.displacements.push_back({t, value(way[0]), value(way[1]), value(way[2])});
     if (angle) m.turns.push_back({t, value(angle)});

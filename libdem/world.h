@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -63,6 +65,7 @@ struct Wall {
   bool present = true;
   bool unchecked = false;  // inserted by an event, not yet tried against the bodies
   double extent = 0;       // m, largest distance of a mesh vertex from the origin
+  double allowance = 0;    // m, as Contacts::allowance
   Vec3d list_position{};   // at the last rebuild of the list
   Quatd list_orientation{};
   Vec3d force{}, torque{};  // of the particles on the wall, this step: N, N m about its origin
@@ -135,6 +138,11 @@ struct TimeStep {          // how dt was found
   std::string limited_by;  // one clause: which pair of kinds and which mode
 };
 
+struct ListLife {           // of the list of candidates, where the skin is tuned; see allowance.h
+  double steps = 16;        // that the list is to last
+  std::uint64_t since = 0;  // the step at which it was made
+};
+
 struct World {
   Scene scene;
   std::vector<ShapeEntry> shapes;
@@ -147,7 +155,8 @@ struct World {
   Contacts contacts;
   Cell cell;
   TimeStep time_step;
-  double skin = 0;                                                  // m
+  double skin = 0;                                                  // m; where it is tuned, of bodies at rest
+  ListLife list_life;                                               // not part of the state
   double tightest_limit = std::numeric_limits<double>::infinity();  // s, seen by the monitor of the time step
   std::uint64_t step = 0;
   std::uint64_t next_id = 0;
@@ -213,7 +222,10 @@ Vec3d momentum(const World& world);                // kg m/s
 double contacts_per_particle(const World& world);  // touching pairs without walls, divided by particles
 std::uint64_t state_hash(const World& world);
 
-// Everything that a resume needs, as bytes; load_state goes into a world freshly built from the same scene.
+// Everything that a resume needs, as bytes, in pieces or at once; load_state goes into a world freshly built from the
+// same scene.
+using Sink = std::function<void(std::span<const std::uint8_t>)>;
+void save_state(const World& world, const Sink& sink);
 std::vector<std::uint8_t> save_state(const World& world);
 void load_state(World& world, const std::vector<std::uint8_t>& bytes);
 

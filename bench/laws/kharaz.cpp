@@ -35,7 +35,7 @@ void kharaz(Report& r) {
   const dem::io::Table t = dem::io::read_csv(PROJECT_ROOT "/bench/data/kharaz2001_rebound.csv");
   const std::size_t in = dem::io::column(t, "impact_angle_deg"), out = dem::io::column(t, "rebound_angle_deg");
   std::vector<std::vector<double>> measured, curves;
-  for (std::size_t i = 0; i < t.rows.size(); ++i)
+  for (std::size_t i = 0; i < t.row_count(); ++i)
     measured.push_back({dem::io::number(t, i, in), dem::io::number(t, i, out)});
   for (double a = 0; a < 70; a += 1) curves.push_back({a});
   std::string header = "impact_angle_deg", plots;

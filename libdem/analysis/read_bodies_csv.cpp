@@ -33,7 +33,7 @@ class Rows {
     return shapes::normalized(q);
   }
   [[noreturn]] void wrong(std::size_t row, const char* name, const std::string& problem) const {
-    input_error({t_.path, t_.lines[row], t_.positions[row][io::column(t_, name)]}, problem);
+    input_error(t_.where(row, io::column(t_, name)), problem);
   }
   std::uint64_t id(std::size_t row) const {
     if (!find("id")) return row;
@@ -56,7 +56,7 @@ Snapshot of_a_run(const io::Table& table, const Rows& rows, const fs::path& fold
   for (auto* list : {&s.shape, &s.material, &s.species}) list->clear();
   s.id.clear();
   s.orientation.clear();
-  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+  for (std::size_t r = 0; r < table.row_count(); ++r) {
     const std::uint64_t id = rows.id(r);
     const auto at = std::lower_bound(start.id.begin(), start.id.end(), id);
     if (at == start.id.end() || *at != id)
@@ -111,7 +111,7 @@ Snapshot read_bodies_csv(const std::string& path, const ForeignOptions& options)
   const bool spin = rows.has({"wx", "wy", "wz"}), turn = rows.has({"qw", "qx", "qy", "qz"});
   const char* group = rows.find("species") ? "species" : rows.find("type") ? "type" : "material";
   const std::optional<std::size_t> kind = rows.find(group);
-  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+  for (std::size_t r = 0; r < table.row_count(); ++r) {
     ForeignBody b;
     b.id = rows.id(r);
     b.position = rows.vector(r, "x", "y", "z");
@@ -119,7 +119,7 @@ Snapshot read_bodies_csv(const std::string& path, const ForeignOptions& options)
     if (spin) b.spin = rows.vector(r, "wx", "wy", "wz");
     if (turn) b.orientation = rows.turn(r);
     if (rows.find("mass")) b.mass = rows.value(r, "mass");
-    b.species = kind ? table.rows[r][*kind] : "bodies";
+    b.species = kind ? table.cell(r, *kind) : "bodies";
     if (axes) {
       b.semi_axes = rows.vector(r, "a", "b", "c");
     } else {

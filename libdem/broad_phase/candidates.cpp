@@ -5,11 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "libdem/broad_phase/allowance.h"
 #include "libdem/broad_phase/levels.h"
 #include "libdem/broad_phase/part_candidates.h"
 #include "libdem/broad_phase/wall_candidates.h"
 #include "libdem/detection.h"
 #include "libdem/law_map.h"
+#include "libdem/release.h"
 #include "libdem/stopwatch.h"
 #include "libdem/sweep.h"
 
@@ -34,8 +36,7 @@ std::vector<char> shapes_with_regions(const World& world) {
 void particle_pairs(World& world, int threads, Rows& rows) {
   const Particles& p = world.particles;
   const std::size_t n = p.count();
-  const Levels levels(p.motion, world.skin, world.cell);
-  world.contacts.largest_sum = 2 * levels.largest();
+  const Levels levels(p.motion, world.contacts.allowance, world.cell);
   const std::vector<char> regions = shapes_with_regions(world);
   const auto in_regions = [&](std::size_t i) { return !regions.empty() && regions[p.shape[i]] != 0; };
   const std::size_t block = 256, blocks = (n + block - 1) / block;
@@ -47,11 +48,13 @@ void particle_pairs(World& world, int threads, Rows& rows) {
       std::uint32_t index;
     };
     std::vector<Partner> partners;
+    std::vector<Candidate> found;
     NearWalls walls(world);
 #pragma omp for schedule(dynamic)
     for (std::size_t r = 0; r < blocks; ++r) {
       const std::size_t first = r * block, last = std::min(n, first + block);
       walls.look(first, last);
+      found.clear();
       for (std::size_t i = first; i < last; ++i) {
         partners.clear();
         const std::uint64_t id = p.id[i];
@@ -62,14 +65,15 @@ void particle_pairs(World& world, int threads, Rows& rows) {
         for (const Partner& partner : partners) {
           const std::uint32_t a = static_cast<std::uint32_t>(i), j = partner.index;
           if (p.kind[i] == shapes::Kind::compound || p.kind[j] == shapes::Kind::compound) {
-            part_pairs(world, a, j, rows[r]);
+            part_pairs(world, a, j, found);
             continue;
           }
           const bool swap = p.kind[j] < p.kind[i];
-          add_records({{id, partner.id}, swap ? j : a, swap ? a : j}, in_regions(i) || in_regions(j), rows[r]);
+          add_records({{id, partner.id}, swap ? j : a, swap ? a : j}, in_regions(i) || in_regions(j), found);
         }
-        walls.add(i, in_regions(i), rows[r]);
+        walls.add(i, in_regions(i), found);
       }
+      rows[r].assign(found.begin(), found.end());  // no longer than it is
     }
   }
 }
@@ -135,7 +139,7 @@ void permute(std::vector<T>& v, const std::vector<std::uint32_t>& order) {
 // Stores particles cell by cell: what is near in space comes near in memory. Nothing else depends on the order.
 void sort_in_space(World& world) {
   Particles& p = world.particles;
-  const std::vector<std::uint32_t> order = order_in_space(p.motion, world.skin, world.cell);
+  const std::vector<std::uint32_t> order = order_in_space(p.motion, world.contacts.allowance, world.cell);
   Particles::each_array(p, [&](auto& array) { permute(array, order); });
 }
 
@@ -193,8 +197,10 @@ bool fill_bins(World& world) {
 void lay_out(Rows& rows, Contacts& c, int threads) {
   std::vector<std::size_t> start{0};
   for (const auto& r : rows) start.push_back(start.back() + r.size());
-  c.index_a = std::vector<std::uint32_t>(start.back());
-  c.index_b = std::vector<std::uint32_t>(start.back());
+  for (auto* v : {&c.index_a, &c.index_b}) {
+    release(*v);
+    v->resize(start.back());
+  }
   c.key.resize(start.back());
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::size_t block = 0; block < rows.size(); ++block) {
@@ -204,7 +210,7 @@ void lay_out(Rows& rows, Contacts& c, int threads) {
       c.index_a[k] = record.a;
       c.index_b[k++] = record.b;
     }
-    rows[block] = {};
+    release(rows[block]);
   }
 }
 
@@ -279,53 +285,54 @@ void seat_records(World& world, const std::vector<std::uint32_t>& from, const st
       bin.met.touching.back() |= std::uint32_t(1) << ((bin.met.count - 1) % contact::kernels::chunk_size);
     }
   }
-  const std::vector<contact::History> old = std::exchange(c.history, {});
+  std::vector<contact::History> old = std::exchange(c.history, {});
   c.history.reserve(seats + seats / 8);
-  c.slot.reserve(c.first_slot(seats) + seats / 8);
-  c.make_seats(seats);
+  c.history.resize(seats);
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::size_t k = 0; k < c.count(); ++k)
     if (from[k] != none && c.touching[k] != 0) c.history_of(k) = old[old_seat[from[k]]];
+  release(old);
+  c.slot.reserve(c.first_slot(seats) + seats / 8);
+  c.make_seats(seats);
 }
 
-// The farthest way of a body from where it was at the last rebuild, squared, m².
-double farthest_square(const World& world, int threads) {
-  double farthest = 0;
-#pragma omp parallel for schedule(static) num_threads(threads) reduction(max : farthest)
+// The least that any body has left of its allowance, m.
+double least_left(const World& world, int threads) {
+  double least = std::numeric_limits<double>::infinity();
+#pragma omp parallel for schedule(static) num_threads(threads) reduction(min : least)
   for (std::size_t i = 0; i < world.particles.count(); ++i) {
     const Vec3d d = world.particles.motion[i].position - world.contacts.reference[i];
-    farthest = std::max(farthest, dot(d, d));
+    least = std::min(least, world.contacts.allowance[i] - norm(d));
   }
-  return farthest;
+  return least;
 }
 
-// Looks only where the ways since it looked last may have taken a body that far.
-bool moved(World& world, double half, int threads) {
+// Looks only where the ways since it looked last may have taken a body so far.
+bool moved(World& world, int threads) {
   Contacts& c = world.contacts;
   c.since_look += c.step_way;
   if (c.since_look < c.look_after) return false;
-  const double farthest = std::sqrt(farthest_square(world, threads));
+  const double left = least_left(world, threads);
   c.since_look = 0;
-  c.look_after = (half - farthest) * (1 - 0x1p-20);  // what rounds
-  return farthest >= half;
+  c.look_after = left * (1 - 0x1p-20);  // what rounds
+  return left <= 0;
 }
 
 // A wrapped body has not moved by the length of the box, and bodies that follow the cell keep their neighbours: u is by
 // how much a body has left that motion. An offset d at the last rebuild is now F d + u_b − u_a, with F the stretch of
 // the cell, so no shorter than s |d| − |u_a| − |u_b|, s = the least stretch. A pair that was left out, |d| at least the
-// sum of its radii + skin, is still apart while
-//   2 |u| < s · skin − (1 − s) · sum of radii
-bool moved_in_cell(const World& world, double half) {
+// sum of its radii and allowances, is still apart while each body has
+//   |u| < s · allowance − (1 − s) · radius
+bool moved_in_cell(const World& world) {
   const Cell& cell = world.cell;
   const Contacts& c = world.contacts;
   const double least = std::min({1.0, cell.stretch.x, cell.stretch.y, cell.stretch.z});
-  if (least < 1) half = 0.5 * (least * world.skin - (1 - least) * c.largest_sum);
-  if (!(half > 0)) return true;
   for (std::size_t i = 0; i < world.particles.count(); ++i) {
     const Vec3d followed =
         cell.deforms ? cell.centre + scaled(c.reference[i] - cell.centre, cell.stretch) : c.reference[i];
     const Vec3d d = cell.lattice.nearest(world.particles.motion[i].position - followed);
-    if (dot(d, d) >= half * half) return true;
+    const double left = least * c.allowance[i] - (1 - least) * world.particles.motion[i].bounding_radius;
+    if (!(norm(d) < left)) return true;
   }
   return false;
 }
@@ -336,14 +343,13 @@ bool candidates_outdated(World& world, int threads) {
   const Contacts& c = world.contacts;
   if (c.stale || world.scene.run.rebuild_every == 1) return true;
   if (world.scene.run.rebuild_every > 0 && world.step % world.scene.run.rebuild_every == 0) return true;
-  const double half = 0.5 * world.skin;
-  if (world.cell.periodic ? moved_in_cell(world, half) : moved(world, half, threads)) return true;
-  if (!c.reference_orientation.empty() && parts_moved(world, half)) return true;
+  if (world.cell.periodic ? moved_in_cell(world) : moved(world, threads)) return true;
+  if (!c.reference_orientation.empty() && parts_moved(world)) return true;
   for (const Wall& w : world.walls) {
     const Quatd turn = w.orientation * shapes::conjugate(w.list_orientation);
     const double half_angle_sine = shapes::norm(Vec3d{turn.x, turn.y, turn.z});
     const double moved = shapes::norm(w.position - w.list_position) + 2 * half_angle_sine * w.extent;
-    if (moved >= half || (is_half_space(w.kind) && half_angle_sine > 0)) return true;
+    if (moved >= w.allowance || (is_half_space(w.kind) && half_angle_sine > 0)) return true;
   }
   return false;
 }
@@ -352,13 +358,14 @@ void rebuild_candidates(World& world, int threads) {
   const auto begin = std::chrono::steady_clock::now();
   Contacts& c = world.contacts;
   const Particles& p = world.particles;
+  choose_allowances(world);
   if (world.counters.rebuilds % sort_every == 0) sort_in_space(world);
-  Rows rows;
-  particle_pairs(world, threads, rows);
-  for (auto* v : {&c.incidence, &c.active, &c.wall_records}) *v = {};
+  for (auto* v : {&c.incidence, &c.active, &c.wall_records}) release(*v);
   c.bins.clear();
   c.groups.clear();
-  c.slot = {};
+  release(c.slot);
+  Rows rows;
+  particle_pairs(world, threads, rows);
   const std::vector<Key> old = std::exchange(c.key, {});
   lay_out(rows, c, threads);
   const std::vector<std::uint32_t> from = origins(old, c.key, world.next_id, threads);
@@ -381,7 +388,11 @@ void rebuild_candidates(World& world, int threads) {
   index_by_particle(world, threads);
   plan_sweep(world);
   c.reference.resize(p.count());
-  for (std::size_t i = 0; i < p.count(); ++i) c.reference[i] = p.motion[i].position;
+  c.largest_sum = 0;
+  for (std::size_t i = 0; i < p.count(); ++i) {
+    c.reference[i] = p.motion[i].position;
+    c.largest_sum = std::max(c.largest_sum, 2 * p.motion[i].bounding_radius);
+  }
   c.reference_orientation = has_compounds(world) ? p.orientation : std::vector<Quatd>{};
   c.travel.assign(all_spheres || world.cell.deforms ? 0 : p.count(), 0);
   c.apart_until.assign(all_spheres || world.cell.deforms ? 0 : total, 0);

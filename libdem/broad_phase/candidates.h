@@ -1,6 +1,7 @@
-// The candidate list: every pair whose bounding spheres are nearer than the skin, and every body near a wall or a
-// facet. Sorted by key; the history of contacts is carried over by merging. A contact can only form between candidates
-// as long as no body has moved by half the skin since the list was made (and no wall by the other half).
+// The candidate list: every pair whose bounding spheres are nearer than the sum of the bodies' allowances
+// (allowance.h), and every body near a wall or a facet. Sorted by key; the history of contacts is carried over by
+// merging. A contact can only form between candidates as long as no body and no wall has moved by its allowance since
+// the list was made.
 #pragma once
 
 #include "libdem/world.h"

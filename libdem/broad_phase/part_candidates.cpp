@@ -17,13 +17,14 @@ void part_pairs(const World& world, std::uint32_t i, std::uint32_t j, std::vecto
   const Vec3d d = world.cell.lattice.nearest(p.motion[j].position - p.motion[i].position);
   const Mat3d ri = shapes::rotation_matrix(p.orientation[i]), rj = shapes::rotation_matrix(p.orientation[j]);
   const std::uint32_t parts_i = part_count(world, i), parts_j = part_count(world, j);
+  const double skin = world.contacts.allowance[i] + world.contacts.allowance[j];
   for (std::uint32_t b = 0; b < parts_j; ++b) {
     const PartBall ball = part_ball(world, j, b, rj);
     const Vec3d to = d + ball.centre;
     for (std::uint32_t a = 0; a < parts_i; ++a) {
       const PartBall own = part_ball(world, i, a, ri);
       const Vec3d offset = to - own.centre;
-      const double reach = own.radius + ball.radius + world.skin;
+      const double reach = own.radius + ball.radius + skin;
       if (dot(offset, offset) < reach * reach) row.push_back({{p.id[i], p.id[j], b, a}, i, j});
     }
   }
@@ -36,10 +37,11 @@ void part_walls(const World& world, std::uint32_t i, std::uint32_t w, const Mat3
   const Vec3d d = p.motion[i].position - wall.position;
   const Mat3d rotation = shapes::rotation_matrix(p.orientation[i]);
   const std::uint32_t parts = part_count(world, i);
+  const double skin = world.contacts.allowance[i] + wall.allowance;
   const auto add = [&](std::uint32_t facet, auto near) {
     for (std::uint32_t a = 0; a < parts; ++a) {
       const PartBall ball = part_ball(world, i, a, rotation);
-      if (near(d + ball.centre, ball.radius + world.skin)) row.push_back({{p.id[i], wall_base + w, facet, a}, i, w});
+      if (near(d + ball.centre, ball.radius + skin)) row.push_back({{p.id[i], wall_base + w, facet, a}, i, w});
     }
   };
   if (is_half_space(wall.kind)) {
@@ -78,15 +80,15 @@ void fill_groups(World& world) {
 }
 
 // A place of a body has left the way of its centre by the chord of the body's turn. In a cell that deforms (see
-// moved_in_cell) centres follow the stretch F, arms do not: |1 − F| times the sum of two radii is lost besides.
-bool parts_moved(const World& world, double half) {
+// moved_in_cell) centres follow the stretch F, arms do not: |1 − F| times the radius is lost besides.
+bool parts_moved(const World& world) {
   const Particles& p = world.particles;
   const Contacts& c = world.contacts;
   const Cell& cell = world.cell;
+  double least = 1, lost = 0;  // of the allowance, and of the radius besides
   if (cell.deforms) {
-    const double least = std::min({1.0, cell.stretch.x, cell.stretch.y, cell.stretch.z});
-    const double strain = shapes::max_abs(cell.stretch - Vec3d{1, 1, 1});
-    half = 0.5 * (least * world.skin - (1 - least + strain) * c.largest_sum);
+    least = std::min({1.0, cell.stretch.x, cell.stretch.y, cell.stretch.z});
+    lost = 1 - least + shapes::max_abs(cell.stretch - Vec3d{1, 1, 1});
   }
   for (std::size_t i = 0; i < p.count(); ++i) {
     if (p.kind[i] != shapes::Kind::compound) continue;
@@ -94,7 +96,8 @@ bool parts_moved(const World& world, double half) {
     const double chord = 2 * norm(Vec3d{turn.x, turn.y, turn.z}) * p.motion[i].bounding_radius;  // 2 sin(angle / 2)
     const Vec3d followed =
         cell.deforms ? cell.centre + scaled(c.reference[i] - cell.centre, cell.stretch) : c.reference[i];
-    if (norm(cell.lattice.nearest(p.motion[i].position - followed)) + chord >= half) return true;
+    const double left = least * c.allowance[i] - lost * p.motion[i].bounding_radius;
+    if (!(norm(cell.lattice.nearest(p.motion[i].position - followed)) + chord < left)) return true;
   }
   return false;
 }

@@ -1,5 +1,5 @@
-// Candidates of bodies of parts: pairs of parts whose bounding spheres are nearer than the skin. Parts move with the
-// turns of their body, so the list also grows old by turning.
+// Candidates of bodies of parts: pairs of parts whose bounding spheres are nearer than their bodies' allowances. Parts
+// move with the turns of their body, so the list also grows old by turning.
 #pragma once
 
 #include <span>
@@ -18,7 +18,7 @@ void part_walls(const World& world, std::uint32_t i, std::uint32_t w, const Mat3
                 std::span<const std::uint32_t> facets, std::vector<Candidate>& row);
 // The groups of the list and what answers their records; the share of every record is set to 1.
 void fill_groups(World& world);
-// Whether a part of some body may have moved by `half` since the last rebuild.
-bool parts_moved(const World& world, double half);
+// Whether a part of some body may have moved by the body's allowance since the last rebuild.
+bool parts_moved(const World& world);
 
 }  // namespace dem

@@ -16,7 +16,7 @@ void NearWalls::look(std::size_t first, std::size_t last) {
     if (!wall.present || wall.kind != shapes::Kind::mesh) continue;
     Vec3d low{}, high{};
     for (std::size_t i = first; i < last; ++i) {
-      const double reach = bodies[i].bounding_radius + world_.skin;
+      const double reach = bodies[i].bounding_radius + world_.contacts.allowance[i] + wall.allowance;
       const Vec3d x = transposed_times(frames_[w], bodies[i].position - wall.position);
       for (int k = 0; k < 3; ++k) {
         low[k] = i == first ? x[k] - reach : std::min(low[k], x[k] - reach);
@@ -35,10 +35,10 @@ void NearWalls::look(std::size_t first, std::size_t last) {
 void NearWalls::add(std::size_t i, bool regions, std::vector<Candidate>& row) const {
   const Particles& p = world_.particles;
   const Motion& m = p.motion[i];
-  const double reach = m.bounding_radius + world_.skin;
   for (std::size_t w = 0; w < world_.walls.size(); ++w) {
     const Wall& wall = world_.walls[w];
     if (!wall.present) continue;
+    const double reach = m.bounding_radius + world_.contacts.allowance[i] + wall.allowance;
     const Vec3d d = m.position - wall.position;
     if (p.kind[i] == shapes::Kind::compound) {
       part_walls(world_, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(w), frames_[w], facets_[w], row);

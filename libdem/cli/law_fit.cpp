@@ -67,7 +67,7 @@ std::vector<Measured> read_measured(const std::string& file, const LawTest& test
                               c, fmt::join(motion, ", ")));
   }
   std::vector<Measured> list;
-  for (std::size_t r = 0; r < t.rows.size(); ++r) {
+  for (std::size_t r = 0; r < t.row_count(); ++r) {
     ImpactOfTest i = test.impact;
     const auto take = [&](const char* name, double& into) {
       const auto c = io::find_column(t, name);
@@ -86,11 +86,11 @@ std::vector<Measured> read_measured(const std::string& file, const LawTest& test
     bool any = false;
     for (std::size_t q = 0; q < quantity_count; ++q) {
       const auto c = io::find_column(t, quantities[q].name);
-      if (!c || t.rows[r][*c].empty()) continue;
+      if (!c || t.cell(r, *c).empty()) continue;
       const double value = io::number(t, r, *c);
       m.value[q] = value;
       if (quantities[q].scale == 0 && !(value > 0))
-        input_error({file, t.lines[r], t.positions[r][*c]}, fmt::format("{} must be > 0", quantities[q].name));
+        input_error(t.where(r, *c), fmt::format("{} must be > 0", quantities[q].name));
       any = true;
     }
     if (any) list.push_back(m);

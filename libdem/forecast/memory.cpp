@@ -24,7 +24,7 @@ constexpr double met_size = 0.5 * (sizeof(contact::History) + sizeof(Slot) + gro
 constexpr double bin_size = growth * 4 * sizeof(std::uint32_t);
 constexpr double entry_size = 2 * sizeof(std::uint32_t);  // incidence and active
 constexpr double general_size = sizeof(Vec3d) + sizeof(contact::Cache) + sizeof(contact::History) + 2 * sizeof(Slot);
-constexpr double row_size = growth * (sizeof(Key) + 2 * sizeof(std::uint32_t));  // while the list is made
+constexpr double row_size = sizeof(Key) + 2 * sizeof(std::uint32_t);  // while the list is made
 
 double geometry_of(const World& world) {
   double sum = 0;
@@ -57,7 +57,7 @@ Bytes bytes_of(const World& world) {
   Bytes sum;
   sum.bodies = bytes(p.id) + bytes(p.shape) + bytes(p.kind) + bytes(p.material) + bytes(p.size) + bytes(p.motion) +
                bytes(p.orientation) + bytes(p.rotation) + bytes(p.angular_momentum) + bytes(p.inertia) + bytes(p.mass) +
-               bytes(p.force) + bytes(p.torque) + bytes(c.reference) + bytes(c.incidence_start) + bytes(c.active_count);
+               bytes(p.force) + bytes(p.torque) + bytes(c.reference) + bytes(c.allowance) + bytes(c.incidence_start) + bytes(c.active_count);
   sum.contacts = bytes(c.key) + bytes(c.index_a) + bytes(c.index_b) + bytes(c.seat) + bytes(c.history) +
                  bytes(c.memory) + bytes(c.ledger) + bytes(c.touching) + bytes(c.slot) + bytes(c.centre) +
                  bytes(c.cache) + bytes(c.incidence) + bytes(c.active) + bytes(c.wall_records) + bytes(c.groups) +
@@ -73,8 +73,8 @@ Bytes bytes_of(const World& world) {
 
 Bytes bytes_of_packed(const World& world, double bodies, double records, double wall_records, bool round) {
   Bytes sum;
-  // Lists of bodies are filled one by one, the last two beside them once per rebuild.
-  sum.bodies = bodies * (growth * body_size + sizeof(Vec3d) + 2 * sizeof(std::uint32_t));
+  // Lists of bodies are filled one by one, the last three beside them once per rebuild.
+  sum.bodies = bodies * (growth * body_size + sizeof(Vec3d) + sizeof(double) + 2 * sizeof(std::uint32_t));
   const double own = record_size + (round ? met_size : general_size);
   const double total = bodies * records;
   sum.contacts = total * (own + bin_size) + bodies * (2 * records - wall_records) * entry_size +

@@ -67,7 +67,7 @@ OutputCost output_cost(const World& world) {
     cost.other_bytes = empty + static_cast<double>(fs::file_size(folder.path / "final.csv")) +
                        (what.picture && render::available() ? picture_bytes : 0);
     const double before = folder.bytes();
-    cost.checkpoint = timed([&] { io::write_checkpoint(folder.path.string(), world.step, save_state(world)); });
+    cost.checkpoint = timed([&] { io::write_checkpoint(folder.path.string(), world); });
     cost.checkpoint_bytes = folder.bytes() - before;
   } catch (const std::exception&) {
     return {};

@@ -25,24 +25,51 @@ constexpr std::string_view prefix = "checkpoint-", suffix = ".bin";
 
 using Header = std::array<std::uint64_t, 5>;  // magic, format, step, length, checksum
 
-// Multiply and fold over 8-byte words: every bit of the input reaches every bit of the result.
-std::uint64_t checksum(std::uint64_t seed, std::span<const std::uint8_t> bytes) {
-  std::uint64_t h = seed ^ 0x9e3779b97f4a7c15u;
-  const auto mix = [&h](std::uint64_t word) {
-    h = (h ^ word) * 0xff51afd7ed558ccdu;
-    h ^= h >> 32;
-  };
-  std::size_t i = 0;
-  for (; i + 8 <= bytes.size(); i += 8) {
-    std::uint64_t word;
-    std::memcpy(&word, bytes.data() + i, 8);
-    mix(word);
+// Multiply and fold over 8-byte words: every bit of the input reaches every bit of the result. The bytes may come in
+// pieces of any size.
+class Checksum {
+ public:
+  explicit Checksum(std::uint64_t seed) : h_(seed ^ 0x9e3779b97f4a7c15u) {}
+  void add(std::span<const std::uint8_t> bytes) {
+    size_ += bytes.size();
+    while (!bytes.empty() && (held_ > 0 || bytes.size() < 8)) {
+      word_[held_++] = bytes.front();
+      bytes = bytes.subspan(1);
+      if (held_ == 8) mix_word(word_.data());
+    }
+    for (; bytes.size() >= 8; bytes = bytes.subspan(8)) mix_word(bytes.data());
+    if (!bytes.empty()) add_rest(bytes);
   }
-  std::uint64_t rest = 0;
-  if (i < bytes.size()) std::memcpy(&rest, bytes.data() + i, bytes.size() - i);
-  mix(rest);
-  mix(bytes.size());
-  return h;
+  std::uint64_t value() {
+    std::uint64_t rest = 0;
+    std::memcpy(&rest, word_.data(), held_);
+    mix(rest);
+    mix(size_);
+    return h_;
+  }
+  std::uint64_t size() const { return size_; }
+
+ private:
+  void add_rest(std::span<const std::uint8_t> bytes) {
+    for (const std::uint8_t byte : bytes) word_[held_++] = byte;
+  }
+  void mix_word(const std::uint8_t* from) {
+    std::uint64_t word;
+    std::memcpy(&word, from, 8);
+    mix(word);
+    held_ = 0;
+  }
+  void mix(std::uint64_t word) {
+    h_ = (h_ ^ word) * 0xff51afd7ed558ccdu;
+    h_ ^= h_ >> 32;
+  }
+  std::uint64_t h_, size_ = 0;
+  std::array<std::uint8_t, 8> word_{};  // that is not whole yet
+  std::size_t held_ = 0;
+};
+
+std::span<const std::uint8_t> bytes_of(const Header& header) {
+  return {reinterpret_cast<const std::uint8_t*>(header.data()), sizeof header};
 }
 
 struct Entry {
@@ -76,22 +103,34 @@ std::optional<Checkpoint> read(const Entry& entry) {
   if (size != sizeof header + header[3]) return {};
   Checkpoint found{entry.step, std::vector<std::uint8_t>(header[3])};
   if (!in.read(reinterpret_cast<char*>(found.state.data()), static_cast<std::streamsize>(header[3]))) return {};
-  if (checksum(entry.step, found.state) != header[4]) return {};
+  Checksum sum(entry.step);
+  sum.add(found.state);
+  if (sum.value() != header[4]) return {};
   return found;
 }
 
 }  // namespace
 
-void write_checkpoint(const std::string& folder, std::uint64_t step, const std::vector<std::uint8_t>& state) {
-  const Header header{magic, format, step, state.size(), checksum(step, state)};
-  write_file(fmt::format("{}/{}{:012}{}", folder, prefix, step, suffix), state, Durability::synced,
-             {reinterpret_cast<const std::uint8_t*>(header.data()), sizeof header});
+void write_checkpoint(const std::string& folder, std::uint64_t step, const Pieces& state) {
+  NewFile file(fmt::format("{}/{}{:012}{}", folder, prefix, step, suffix));
+  file.write(bytes_of(Header{}));
+  Checksum sum(step);
+  state([&](std::span<const std::uint8_t> piece) {
+    sum.add(piece);
+    file.write(piece);
+  });
+  file.write_over(0, bytes_of(Header{magic, format, step, sum.size(), sum.value()}));
+  file.done(Durability::synced);
 
   // Later ones belong to a history that a resume has left behind (it starts from the newest intact file, so they are
   // damaged); of the others the newest two stay.
   std::size_t seen = 0;
   for (const Entry& entry : list(folder))
     if (entry.step > step || ++seen > kept) fs::remove(entry.path);
+}
+
+void write_checkpoint(const std::string& folder, const World& world) {
+  write_checkpoint(folder, world.step, [&](const Sink& sink) { save_state(world, sink); });
 }
 
 std::optional<Checkpoint> read_last_checkpoint(const std::string& folder) {

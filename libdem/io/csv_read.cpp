@@ -29,60 +29,53 @@ std::string read_all(const std::string& path) {
   return text;
 }
 
-struct Cell {
-  std::string text;
-  int column;  // from 1
-};
-
-std::vector<Cell> split(std::string_view line) {
-  std::vector<Cell> cells;
-  std::size_t start = 0;
-  while (true) {
+// The cells of the line of `text` that begins at `begin`, in place of what `cells` holds.
+void split(std::string_view text, std::size_t begin, std::size_t length, std::vector<Table::Cell>& cells) {
+  const std::string_view line = text.substr(begin, length);
+  const auto blank = [&](std::size_t i) { return line[i] == ' ' || line[i] == '\t'; };
+  cells.clear();
+  for (std::size_t start = 0;;) {
     const std::size_t comma = std::min(line.find(',', start), line.size());
     std::size_t first = start, last = comma;
-    const auto blank = [&](std::size_t i) { return line[i] == ' ' || line[i] == '\t'; };
     while (first < last && blank(first)) ++first;
     while (last > first && blank(last - 1)) --last;
-    cells.push_back({std::string(line.substr(first, last - first)), static_cast<int>(first) + 1});
-    if (comma == line.size()) return cells;
+    cells.push_back({begin + first, static_cast<std::uint32_t>(last - first), static_cast<int>(first) + 1});
+    if (comma == line.size()) return;
     start = comma + 1;
   }
 }
 
-void read_header(Table& table, const std::vector<Cell>& cells, int line) {
+void read_header(Table& table, const std::vector<Table::Cell>& cells, int line) {
   table.header_line = line;
-  for (const Cell& cell : cells) {
-    if (cell.text.empty()) input_error({table.path, line, cell.column}, "a column of the header has no name");
-    if (find_column(table, cell.text))
-      input_error({table.path, line, cell.column}, fmt::format("column '{}' is named twice", cell.text));
-    table.columns.push_back(cell.text);
+  for (const Table::Cell& cell : cells) {
+    const std::string name = table.text.substr(cell.first, cell.size);
+    if (name.empty()) input_error({table.path, line, cell.position}, "a column of the header has no name");
+    if (find_column(table, name))
+      input_error({table.path, line, cell.position}, fmt::format("column '{}' is named twice", name));
+    table.columns.push_back(name);
   }
 }
 
-void read_row(Table& table, const std::vector<Cell>& cells, int line, std::size_t length) {
+void read_row(Table& table, const std::vector<Table::Cell>& cells, int line, std::size_t length) {
   if (cells.size() < table.columns.size())
     input_error({table.path, line, static_cast<int>(length) + 1},
                 fmt::format("the row has {} cells, the header {}: '{}' is missing", cells.size(), table.columns.size(),
                             table.columns[cells.size()]));
   if (cells.size() > table.columns.size())
-    input_error({table.path, line, cells[table.columns.size()].column},
+    input_error({table.path, line, cells[table.columns.size()].position},
                 fmt::format("the row has {} cells, the header {}", cells.size(), table.columns.size()));
-  auto& row = table.rows.emplace_back();
-  auto& positions = table.positions.emplace_back();
-  for (const Cell& cell : cells) {
-    row.push_back(cell.text);
-    positions.push_back(cell.column);
-  }
+  table.cells.insert(table.cells.end(), cells.begin(), cells.end());
   table.lines.push_back(line);
 }
 
 }  // namespace
 
 Table read_csv(const std::string& path) {
-  const std::string text = read_all(path);
   Table table;
   table.path = path;
-  std::string_view rest = text;
+  table.text = read_all(path);
+  std::vector<Table::Cell> cells;
+  std::string_view rest = table.text;
   if (rest.starts_with("\xef\xbb\xbf")) rest.remove_prefix(3);  // byte order mark
   for (int line = 1; !rest.empty(); ++line) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
@@ -94,7 +87,7 @@ Table read_csv(const std::string& path) {
     if (const std::size_t quote = content.find('"'); quote != std::string_view::npos)
       input_error({path, line, static_cast<int>(quote) + 1},
                   "quoted cells are not read: write the value without quotes");
-    const std::vector<Cell> cells = split(content);
+    split(table.text, static_cast<std::size_t>(content.data() - table.text.data()), content.size(), cells);
     if (table.columns.empty())
       read_header(table, cells, line);
     else
@@ -117,7 +110,7 @@ std::size_t column(const Table& table, const std::string& name) {
 }
 
 double number(const Table& table, std::size_t row, std::size_t column) {
-  const std::string& cell = table.rows[row][column];
+  const std::string cell = table.cell(row, column);
   const char* first = cell.data();
   const char* last = first + cell.size();
   if (cell.size() > 1 && cell[0] == '+' && cell[1] != '-') ++first;
@@ -128,7 +121,7 @@ double number(const Table& table, std::size_t row, std::size_t column) {
                            : code == std::errc::result_out_of_range
                                ? fmt::format("= {} is out of range", cell)
                                : fmt::format("= '{}' is not a finite number", cell);
-  input_error({table.path, table.lines[row], table.positions[row][column]}, table.columns[column] + " " + what);
+  input_error(table.where(row, column), table.columns[column] + " " + what);
 }
 
 }  // namespace dem::io

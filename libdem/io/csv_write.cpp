@@ -8,6 +8,8 @@
 namespace dem::io {
 
 void write_final_csv(const std::string& path, const World& world) {
+  constexpr std::size_t piece = 1 << 16;
+  NewFile file(path);
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "id,shape,material,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz{}\n",
@@ -24,8 +26,12 @@ void write_final_csv(const std::string& path, const World& world) {
     add({m.velocity.x, m.velocity.y, m.velocity.z, m.spin.x, m.spin.y, m.spin.z});
     if (!world.scene.species.empty()) fmt::format_to(out, ",{}", species_name(world, p.species[i]));
     text.push_back('\n');
+    if (text.size() < piece) continue;
+    file.write(std::string_view(text.data(), text.size()));
+    text.clear();
   }
-  write_file(path, {text.data(), text.size()});
+  file.write(std::string_view(text.data(), text.size()));
+  file.done(Durability::renamed);
 }
 
 void write_discharge_csv(const std::string& path, const World& world) {

@@ -19,6 +19,12 @@ namespace {
   throw RunError("cannot " + action + " " + path + ": " + std::strerror(errno));
 }
 
+std::span<const std::uint8_t> bytes_of(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+}  // namespace
+
 class Descriptor {
  public:
   Descriptor(const std::string& path, int flags) : path_(path), fd_(::open(path.c_str(), flags | O_CLOEXEC, 0644)) {
@@ -37,6 +43,12 @@ class Descriptor {
       bytes = bytes.subspan(static_cast<std::size_t>(n));
     }
   }
+  void go_to(std::uint64_t place) {
+    if (::lseek(fd_, static_cast<off_t>(place), SEEK_SET) < 0) fail("write", path_);
+  }
+  void go_to_end() {
+    if (::lseek(fd_, 0, SEEK_END) < 0) fail("write", path_);
+  }
   void sync() {
     if (::fsync(fd_) != 0) fail("sync", path_);
   }
@@ -51,32 +63,44 @@ class Descriptor {
   int fd_;
 };
 
-}  // namespace
-
 std::string read_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-void write_file(const std::string& path, std::span<const std::uint8_t> bytes, Durability durability,
-                std::span<const std::uint8_t> head) {
-  const std::string aside = path + ".part";
-  {
-    Descriptor file(aside, O_WRONLY | O_CREAT | O_TRUNC);
-    file.write(head);
-    file.write(bytes);
-    if (durability == Durability::synced) file.sync();
-    file.close();
-  }
-  if (std::rename(aside.c_str(), path.c_str()) != 0) fail("rename", aside);
+NewFile::NewFile(std::string path)
+    : path_(std::move(path)), file_(std::make_unique<Descriptor>(path_ + ".part", O_WRONLY | O_CREAT | O_TRUNC)) {}
+
+NewFile::~NewFile() = default;
+
+void NewFile::write(std::span<const std::uint8_t> bytes) { file_->write(bytes); }
+void NewFile::write(std::string_view text) { file_->write(bytes_of(text)); }
+
+void NewFile::write_over(std::uint64_t place, std::span<const std::uint8_t> bytes) {
+  file_->go_to(place);
+  file_->write(bytes);
+  file_->go_to_end();
+}
+
+void NewFile::done(Durability durability) {
+  if (durability == Durability::synced) file_->sync();
+  file_->close();
+  const std::string aside = path_ + ".part";
+  if (std::rename(aside.c_str(), path_.c_str()) != 0) fail("rename", aside);
   if (durability == Durability::synced) {
-    const std::string folder = std::filesystem::path(path).parent_path().string();
+    const std::string folder = std::filesystem::path(path_).parent_path().string();
     Descriptor(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY).sync();
   }
 }
 
+void write_file(const std::string& path, std::span<const std::uint8_t> bytes, Durability durability) {
+  NewFile file(path);
+  file.write(bytes);
+  file.done(durability);
+}
+
 void write_file(const std::string& path, std::string_view text) {
-  write_file(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, Durability::renamed);
+  write_file(path, bytes_of(text), Durability::renamed);
 }
 
 }  // namespace dem::io

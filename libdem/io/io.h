@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -93,7 +94,10 @@ int frame_count(const std::string& record_path);
 void load_frame(const std::string& record_path, World& world, int frame);
 
 // checkpoint files: written aside, synced, renamed; two kept (checkpoint-<step>.bin); magic, version, length, checksum.
-void write_checkpoint(const std::string& folder, std::uint64_t step, const std::vector<std::uint8_t>& state);
+// `state` gives its bytes piece by piece to what it is called with, as save_state does.
+using Pieces = std::function<void(const Sink&)>;
+void write_checkpoint(const std::string& folder, std::uint64_t step, const Pieces& state);
+void write_checkpoint(const std::string& folder, const World& world);
 // The newest intact checkpoint of a folder, if any; damaged ones are passed over.
 struct Checkpoint {
   std::uint64_t step;
@@ -106,10 +110,24 @@ std::optional<Checkpoint> read_last_checkpoint(const std::string& folder);
 struct Table {
   std::string path;
   std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;
-  std::vector<int> lines;                   // line number of each row
-  std::vector<std::vector<int>> positions;  // column in its line, from 1, of each cell
   int header_line = 0;
+  std::vector<int> lines;  // line number of each row
+  std::size_t row_count() const { return lines.size(); }
+  std::string cell(std::size_t row, std::size_t column) const {
+    const Cell& c = cells[row * columns.size() + column];
+    return text.substr(c.first, c.size);
+  }
+  Where where(std::size_t row, std::size_t column) const {
+    return {path, lines[row], cells[row * columns.size() + column].position};
+  }
+  // Of a large table: the text once, and where its cells are.
+  struct Cell {
+    std::size_t first;
+    std::uint32_t size;
+    int position;  // column in its line, from 1
+  };
+  std::string text;         // of the file
+  std::vector<Cell> cells;  // row by row
 };
 Table read_csv(const std::string& path);
 // Index of a named column; InputError that lists the columns there are when it is missing.

@@ -15,13 +15,12 @@ std::vector<PathPoint> read_path(const std::string& file) {
                     y = io::column(t, "slip_y");
   const auto rotation = io::find_column(t, "rotation");
   std::vector<PathPoint> path;
-  for (std::size_t r = 0; r < t.rows.size(); ++r) {
+  for (std::size_t r = 0; r < t.row_count(); ++r) {
     path.push_back({io::number(t, r, time), io::number(t, r, overlap), io::number(t, r, x), io::number(t, r, y),
                     rotation ? io::number(t, r, *rotation) : 0});
     if (r > 0 && !(path[r].time > path[r - 1].time))
-      input_error(
-          {file, t.lines[r], t.positions[r][time]},
-          fmt::format("t = {}: must be larger than that of the row before, {}", path[r].time, path[r - 1].time));
+      input_error(t.where(r, time), fmt::format("t = {}: must be larger than that of the row before, {}", path[r].time,
+                                                path[r - 1].time));
   }
   if (path.size() < 2) input_error({file, t.header_line, 0}, "a path needs two rows at least");
   return path;

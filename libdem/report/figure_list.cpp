@@ -35,11 +35,12 @@ std::string joined_plots(const std::vector<std::string>& plots) {
 
 std::vector<double> numbers(const io::Table& table, const std::string& column) {
   const std::optional<std::size_t> at = io::find_column(table, column);
-  if (!at) return std::vector<double>(table.rows.size(), 0.0);
+  if (!at) return std::vector<double>(table.row_count(), 0.0);
   std::vector<double> list;
-  for (const auto& row : table.rows)
-    list.push_back(row[*at].empty() ? std::numeric_limits<double>::quiet_NaN()
-                                    : std::strtod(row[*at].c_str(), nullptr));
+  for (std::size_t r = 0; r < table.row_count(); ++r) {
+    const std::string cell = table.cell(r, *at);
+    list.push_back(cell.empty() ? std::numeric_limits<double>::quiet_NaN() : std::strtod(cell.c_str(), nullptr));
+  }
   return list;
 }
 

@@ -15,7 +15,7 @@ namespace dem {
 namespace {
 
 std::optional<double> number_or_blank(const io::Table& t, std::size_t row, std::size_t column) {
-  if (t.rows[row][column].empty()) return std::nullopt;
+  if (t.cell(row, column).empty()) return std::nullopt;
   return io::number(t, row, column);
 }
 
@@ -23,9 +23,9 @@ std::vector<NamedMaterial> read_materials() {
   const io::Table t = io::read_csv(materials_folder() + "/materials.csv");
   const auto at = [&](const char* name) { return io::column(t, name); };
   std::vector<NamedMaterial> out;
-  for (std::size_t r = 0; r < t.rows.size(); ++r)
-    out.push_back({t.rows[r][at("name")], io::number(t, r, at("young")), io::number(t, r, at("poisson")),
-                   number_or_blank(t, r, at("density")), t.rows[r][at("source")]});
+  for (std::size_t r = 0; r < t.row_count(); ++r)
+    out.push_back({t.cell(r, at("name")), io::number(t, r, at("young")), io::number(t, r, at("poisson")),
+                   number_or_blank(t, r, at("density")), t.cell(r, at("source"))});
   return out;
 }
 
@@ -33,9 +33,9 @@ std::vector<PublishedFriction> read_friction() {
   const io::Table t = io::read_csv(materials_folder() + "/friction.csv");
   const auto at = [&](const char* name) { return io::column(t, name); };
   std::vector<PublishedFriction> out;
-  for (std::size_t r = 0; r < t.rows.size(); ++r)
-    out.push_back({t.rows[r][at("pair")], io::number(t, r, at("mu")), number_or_blank(t, r, at("uncertainty")),
-                   number_or_blank(t, r, at("mu_high")), t.rows[r][at("reference")], ""});
+  for (std::size_t r = 0; r < t.row_count(); ++r)
+    out.push_back({t.cell(r, at("pair")), io::number(t, r, at("mu")), number_or_blank(t, r, at("uncertainty")),
+                   number_or_blank(t, r, at("mu_high")), t.cell(r, at("reference")), ""});
   for (PublishedFriction& f : out) {
     const auto same = std::count_if(out.begin(), out.end(), [&](const auto& other) { return other.pair == f.pair; });
     f.name = same > 1 ? f.pair + " (" + f.reference + ")" : f.pair;

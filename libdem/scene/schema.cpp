@@ -31,8 +31,10 @@ Key number_or_auto(std::string name, std::string unit, std::string sentence) {
 }
 
 Key skin() {
-  Key key = value<&RunSpec::skin>("skin", "m",
-                                  "Distance that the neighbour list adds to bodies; the result does not depend on it.");
+  Key key =
+      value<&RunSpec::skin>("skin", "m",
+                            "Distance that the neighbour list adds to pairs; auto: of each body as its speed asks for, "
+                            "tuned as the run goes. The result does not depend on it.");
   key.type = KeyType::number_or_auto;
   key.set = [](void* spec, const Node& n) { static_cast<RunSpec*>(spec)->skin = n.is_number() ? n.as_number() : -1; };
   key.get = [](const void* spec) {

@@ -51,13 +51,13 @@ TEST(AnalysisInRun, LeavesTheBitsOfTheRun) {
   EXPECT_EQ(read(folder / "a/final.csv"), read(folder / "b/final.csv"));
   EXPECT_FALSE(std::filesystem::exists(folder / "a/analysis_energy.csv"));
   const io::Table energy = io::read_csv(folder / "b/analysis_energy.csv");
-  ASSERT_EQ(energy.rows.size(), 6u);  // 0, 80, … 400
-  EXPECT_EQ(energy.rows[3][1], "240");
-  EXPECT_EQ(energy.rows[5][1], "400");
+  ASSERT_EQ(energy.row_count(), 6u);  // 0, 80, … 400
+  EXPECT_EQ(energy.cell(3, 1), "240");
+  EXPECT_EQ(energy.cell(5, 1), "400");
   EXPECT_GT(io::number(energy, 5, io::column(energy, "lost_friction")), 0);
   EXPECT_GE(io::number(energy, 5, io::column(energy, "elastic")), 0);
   for (const std::string& name : watched().analysis.what)
-    EXPECT_EQ(io::read_csv(folder / ("b/analysis_" + name + ".csv")).rows.size(), 6u) << name;
+    EXPECT_EQ(io::read_csv(folder / ("b/analysis_" + name + ".csv")).row_count(), 6u) << name;
 }
 
 TEST(AnalysisInRun, AResumedRunHasTheSameRows) {
@@ -109,7 +109,7 @@ TEST(AnalysisInRun, ColumnsThatComeLate) {
   EXPECT_EQ(read(folder / "a.csv"),
             "# units: time s, step 1, one m, two m^2/s^2, one_error m\ntime,step,one,two,one_error\n0,0,1,,\n"
             "0.5,10,3,2,0.25\n0.75,15,1,,\n");
-  EXPECT_EQ(io::read_csv(folder / "a.csv").rows.size(), 3u);
+  EXPECT_EQ(io::read_csv(folder / "a.csv").row_count(), 3u);
 }
 
 TEST(AnalysisInRun, SettingsOfAScene) {

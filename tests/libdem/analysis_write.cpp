@@ -58,16 +58,16 @@ TEST(AnalysisWrite, SeveralFrames) {
   EXPECT_EQ(io::number(io::read_csv(folder / "heat_whole.csv"), 0, 0), 1.5);
   const io::Table series = io::read_csv(folder / "heat_series.csv");
   EXPECT_EQ(series.columns, (std::vector<std::string>{"time", "step", "flow", "level", "level_error", "late"}));
-  ASSERT_EQ(series.rows.size(), 3u);
+  ASSERT_EQ(series.row_count(), 3u);
   EXPECT_EQ(io::number(series, 1, 0), 0.1);
   EXPECT_EQ(io::number(series, 2, 3), 4);
   EXPECT_EQ(io::number(series, 2, 4), 0.5);
-  EXPECT_EQ(series.rows[1][5], "");
-  EXPECT_EQ(series.rows[2][5], "7");
+  EXPECT_EQ(series.cell(1, 5), "");
+  EXPECT_EQ(series.cell(2, 5), "7");
   EXPECT_TRUE(read(folder / "heat_series.csv").starts_with("# units: time s, step 1, flow W, level K, level_error K,"));
   const io::Table profile = io::read_csv(folder / "heat_profile_000000000100.csv");
   EXPECT_EQ(io::number(profile, 1, 1), 1.0 / 3);
-  EXPECT_EQ(io::read_csv(folder / "heat_profile_000000000200.csv").rows[2][1], "");
+  EXPECT_EQ(io::read_csv(folder / "heat_profile_000000000200.csv").cell(2, 1), "");
 
   const json all = json::parse(read(folder / "analysis.json"));
   EXPECT_EQ(all.at("units").at("heat.flow"), "W");
@@ -101,7 +101,7 @@ TEST(AnalysisWrite, OneFrameAndManyForBlocks) {
   one.finish();
   EXPECT_TRUE(std::filesystem::exists(folder / "heat_profile.csv"));
   EXPECT_FALSE(std::filesystem::exists(folder / "heat_blocks.csv"));
-  EXPECT_EQ(io::read_csv(folder / "series_summary.csv").rows.size(), 2u);
+  EXPECT_EQ(io::read_csv(folder / "series_summary.csv").row_count(), 2u);
 
   Writer many(folder.path(), "somewhere", {&heat}, false);
   for (std::uint64_t f = 0; f < 40; ++f) {
@@ -114,7 +114,7 @@ TEST(AnalysisWrite, OneFrameAndManyForBlocks) {
   }
   many.finish();
   const io::Table blocks = io::read_csv(folder / "heat_blocks.csv");
-  ASSERT_EQ(blocks.rows.size(), 10u);
+  ASSERT_EQ(blocks.row_count(), 10u);
   EXPECT_EQ(io::number(blocks, 3, io::column(blocks, "flow")), 2);
   EXPECT_NEAR(io::number(blocks, 3, io::column(blocks, "flow_error")), std::sqrt(4.0 / 3 / 4), 1e-15);
   EXPECT_EQ(io::number(blocks, 9, io::column(blocks, "last_time")), 39);

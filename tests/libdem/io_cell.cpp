@@ -38,7 +38,7 @@ TEST(IoCell, RowsHoldTheCellAndItsBodies) {
   const std::string path = folder / "cell.csv";
   io::CellSeries(path, w, false).write(w);
   const io::Table table = io::read_csv(path);
-  ASSERT_EQ(table.rows.size(), 1u);
+  ASSERT_EQ(table.row_count(), 1u);
   const auto value = [&](const char* name) { return io::number(table, 0, io::column(table, name)); };
   const Mat3d stress = cell_stress(w);
   const Coordination z = coordination(w);
@@ -68,14 +68,14 @@ TEST(IoCell, AResumedSeriesDropsLaterAndBrokenRows) {
     }
   }
   const std::string whole = text_of(path);
-  EXPECT_EQ(io::read_csv(path).rows.size(), 4u);
+  EXPECT_EQ(io::read_csv(path).row_count(), 4u);
   std::ofstream(path, std::ios::app) << "0.0001,0.1";  // a run that was killed
   w.step = 3;
   const io::CellSeries same(path, w, true);
   EXPECT_EQ(text_of(path), whole);
   w.step = 1;
   const io::CellSeries shorter(path, w, true);
-  EXPECT_EQ(io::read_csv(path).rows.size(), 2u);
+  EXPECT_EQ(io::read_csv(path).row_count(), 2u);
 }
 
 TEST(IoCell, AResumedRunWritesTheSameBytes) {
@@ -84,7 +84,7 @@ TEST(IoCell, AResumedRunWritesTheSameBytes) {
   options.folder = folder / "whole";
   World whole = build_world(scene());
   run(whole, options, false);
-  EXPECT_EQ(io::read_csv(options.folder + "/cell.csv").rows.size(), 1u + 200 / 16 + 1);
+  EXPECT_EQ(io::read_csv(options.folder + "/cell.csv").row_count(), 1u + 200 / 16 + 1);
 
   std::atomic<bool> stop = false;
   options.folder = folder / "parts";

@@ -32,13 +32,13 @@ TEST(IoCsv, FinalCsvRoundTrip) {
   EXPECT_EQ(header, "id,shape,material,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz");
 
   const dem::io::Table table = dem::io::read_csv(folder / "final.csv");
-  ASSERT_EQ(table.rows.size(), world.particles.count());
-  EXPECT_EQ(table.rows[5][1], "hexagon");
-  EXPECT_EQ(table.rows[4][2], "steel");
+  ASSERT_EQ(table.row_count(), world.particles.count());
+  EXPECT_EQ(table.cell(5, 1), "hexagon");
+  EXPECT_EQ(table.cell(4, 2), "steel");
   const auto expect = [&](std::size_t row, const char* name, double value) {
     EXPECT_EQ(dem::io::number(table, row, dem::io::column(table, name)), value) << row << name;
   };
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {  // 17 digits bring back every bit
+  for (std::size_t i = 0; i < table.row_count(); ++i) {  // 17 digits bring back every bit
     const auto& m = world.particles.motion[i];
     const auto& q = world.particles.orientation[i];
     expect(i, "id", static_cast<double>(world.particles.id[i]));
@@ -63,7 +63,7 @@ TEST(IoCsv, OrderOfStorageDoesNotShow) {
   swap_ends(p.id, p.shape, p.material, p.size, p.motion, p.orientation, p.rotation, p.angular_momentum, p.inertia,
             p.mass, p.force, p.torque);
   dem::io::write_final_csv(folder / "swapped.csv", world);
-  EXPECT_EQ(dem::io::read_csv(folder / "final.csv").rows, dem::io::read_csv(folder / "swapped.csv").rows);
+  EXPECT_EQ(dem::io::read_csv(folder / "final.csv").text, dem::io::read_csv(folder / "swapped.csv").text);
   dem::io::Record(folder / "b.h5", world, false).write(world);
   dem::World a = world, b = world;
   dem::io::load_frame(folder / "a.h5", a, 0);
@@ -82,7 +82,7 @@ TEST(IoCsv, CommentsSpacesAndGzip) {
   gzclose(file);
   const dem::io::Table table = dem::io::read_csv(path);
   EXPECT_EQ(table.columns, (std::vector<std::string>{"x", "radius"}));
-  ASSERT_EQ(table.rows.size(), 2u);
+  ASSERT_EQ(table.row_count(), 2u);
   EXPECT_EQ(table.lines, (std::vector<int>{5, 6}));
   EXPECT_EQ(dem::io::number(table, 0, 0), 1.5);
   EXPECT_EQ(dem::io::number(table, 0, 1), 2e-3);

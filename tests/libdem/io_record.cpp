@@ -84,6 +84,14 @@ std::size_t file_count(const std::string& folder) {
   return static_cast<std::size_t>(std::distance(begin(files), end(files)));
 }
 
+// In pieces of many sizes, as it comes.
+dem::io::Pieces in_pieces(const std::vector<std::uint8_t>& state) {
+  return [state](const dem::Sink& sink) {
+    for (std::size_t first = 0, size = 0; first < state.size(); first += size, size = (size + 1) % 23)
+      sink(std::span(state).subspan(first, std::min(size, state.size() - first)));
+  };
+}
+
 std::vector<std::uint8_t> state_of(std::uint8_t seed) {
   std::vector<std::uint8_t> state(1003);
   for (std::size_t i = 0; i < state.size(); ++i) state[i] = static_cast<std::uint8_t>(i * 7 + seed);
@@ -94,7 +102,7 @@ TEST(IoCheckpoint, KeepsTwoAndReadsTheNewest) {
   const Folder folder("checkpoint");
   EXPECT_FALSE(dem::io::read_last_checkpoint(folder.path()));
   for (const std::uint8_t step : {std::uint8_t{10}, std::uint8_t{20}, std::uint8_t{30}})
-    dem::io::write_checkpoint(folder.path(), step, state_of(step));
+    dem::io::write_checkpoint(folder.path(), step, in_pieces(state_of(step)));
   EXPECT_EQ(file_count(folder.path()), 2u);
   const auto last = dem::io::read_last_checkpoint(folder.path());
   ASSERT_TRUE(last);
@@ -111,9 +119,9 @@ TEST(IoCheckpoint, DamagedNewestFallsBackToTheOlder) {
     EXPECT_EQ(last->step, 10u);
     EXPECT_EQ(last->state, state_of(10));
   };
-  dem::io::write_checkpoint(folder.path(), 10, state_of(10));
+  dem::io::write_checkpoint(folder.path(), 10, in_pieces(state_of(10)));
   for (const std::streamoff place : {0, 8, 16, 24, 32, 40, 500, 1042}) {  // every word of the header, and the payload
-    dem::io::write_checkpoint(folder.path(), 20, state_of(20));
+    dem::io::write_checkpoint(folder.path(), 20, in_pieces(state_of(20)));
     ASSERT_EQ(dem::io::read_last_checkpoint(folder.path())->step, 20u);
     std::fstream file(newest, std::ios::in | std::ios::out | std::ios::binary);
     file.seekg(place);
@@ -124,12 +132,12 @@ TEST(IoCheckpoint, DamagedNewestFallsBackToTheOlder) {
     expect_older();
   }
   for (const std::uintmax_t length : {0, 20, 40, 1042}) {
-    dem::io::write_checkpoint(folder.path(), 20, state_of(20));
+    dem::io::write_checkpoint(folder.path(), 20, in_pieces(state_of(20)));
     std::filesystem::resize_file(newest, length);
     expect_older();
   }
   // A run that goes on from the older one leaves the damaged one behind and never deletes what it started from.
-  dem::io::write_checkpoint(folder.path(), 15, state_of(15));
+  dem::io::write_checkpoint(folder.path(), 15, in_pieces(state_of(15)));
   EXPECT_FALSE(std::filesystem::exists(newest));
   EXPECT_TRUE(std::filesystem::exists(folder / "checkpoint-000000000010.bin"));
   EXPECT_EQ(dem::io::read_last_checkpoint(folder.path())->step, 15u);

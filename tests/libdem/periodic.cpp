@@ -146,7 +146,8 @@ TEST(Periodic, EveryNearPairIsACandidateOnce) {
             d[k] += n[k] * edge;
             present = present && (n[k] == 0 || s.periodic.along(k));
           }
-          if (present && norm(d) < a.bounding_radius + b.bounding_radius + w.skin)
+          if (present &&
+              norm(d) < a.bounding_radius + b.bounding_radius + w.contacts.allowance[i] + w.contacts.allowance[j])
             near.emplace_back(w.particles.id[i], w.particles.id[j]);
         }
       }

@@ -255,13 +255,13 @@ TEST(WallsCsv, HasARowPerTimeAndWall) {
   run(w, options, false);
   const io::Table table = io::read_csv(folder / "walls.csv");
   const std::size_t walls = w.walls.size(), frames = 1 + 900 / per_frame + 1;
-  ASSERT_EQ(table.rows.size(), walls * frames);
+  ASSERT_EQ(table.row_count(), walls * frames);
   const std::size_t name = io::column(table, "wall");
   const auto value = [&](std::size_t row, const char* key) { return io::number(table, row, io::column(table, key)); };
   for (std::size_t i = 0; i < walls; ++i) {
     const std::size_t row = (frames - 1) * walls + i;
     const Wall& wall = w.walls[i];
-    EXPECT_EQ(table.rows[row][name], wall.name);
+    EXPECT_EQ(table.cell(row, name), wall.name);
     EXPECT_EQ(value(row, "time"), w.time());
     EXPECT_EQ(value(row, "x"), wall.position.x);
     EXPECT_EQ(value(row, "force_y"), wall.force.y);
@@ -269,7 +269,7 @@ TEST(WallsCsv, HasARowPerTimeAndWall) {
     EXPECT_EQ(value(row, "power"), wall_power(wall));
     EXPECT_EQ(value(row, "impulse_x"), impulse(wall).x);
     EXPECT_EQ(value(row, "work"), wall.load.work.value());
-    EXPECT_EQ(table.rows[row][io::column(table, "area")].empty(), i != ridge);
+    EXPECT_EQ(table.cell(row, io::column(table, "area")).empty(), i != ridge);
   }
   double normal = 0;
   for (const ContactReport& c : touching_contacts(w))
@@ -287,7 +287,7 @@ TEST(WallsCsv, AResumedRunWritesTheSameBytes) {
   options.folder = folder / "whole";
   World whole = build_world(s);
   run(whole, options, false);
-  EXPECT_EQ(io::read_csv(options.folder + "/walls.csv").rows.size(), whole.walls.size() * (1 + 900 / 16 + 1));
+  EXPECT_EQ(io::read_csv(options.folder + "/walls.csv").row_count(), whole.walls.size() * (1 + 900 / 16 + 1));
 
   std::atomic<bool> stop = false;
   options.folder = folder / "parts";

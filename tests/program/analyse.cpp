@@ -60,7 +60,7 @@ TEST_F(Analyse, EveryFrameOfARun) {
   for (const dem::analysis::Quantity& q : dem::analysis::quantities())
     EXPECT_EQ(all.at("quantities").contains(q.name), !q.costly) << q.name;
   const dem::io::Table series = dem::io::read_csv(run() + "/analysis/velocity_series.csv");
-  EXPECT_EQ(series.rows.size(), 11u);
+  EXPECT_EQ(series.row_count(), 11u);
   EXPECT_EQ(dem::io::number(series, 10, dem::io::column(series, "step")), 200);
   // Again, into the folder of the first: the same, nothing else.
   const std::string first = program::read(run() + "/analysis/stress_series.csv");
@@ -79,7 +79,7 @@ TEST_F(Analyse, SomeFramesAndQuantities) {
   EXPECT_EQ(all.at("quantities").size(), 2u);
   EXPECT_EQ(all.at("frames")[1].at("frame"), 6);
   EXPECT_EQ(all.at("frames").size(), 2u);
-  EXPECT_EQ(dem::io::read_csv(out("some") + "/stress_boxes_000000000120.csv").rows.size(), 6u);
+  EXPECT_EQ(dem::io::read_csv(out("some") + "/stress_boxes_000000000120.csv").row_count(), 6u);
   EXPECT_EQ(std::count(o.out.begin(), o.out.end(), '\n'), 1) << o.out;
   const Outcome one = program::dem({"analyse", run(), "--frames", "-1", "--what", "stress", "--out", out("one")});
   ASSERT_EQ(one.exit_code, 0) << one.err;
@@ -169,7 +169,7 @@ TEST(AnalyseInRun, RowsInTheFolderOfTheRun) {
   const std::string scene = folder.write("scene.toml", text), out = folder.path("out");
   const Outcome o = program::dem({"run", scene, "--out", out, "--quiet"});
   ASSERT_EQ(o.exit_code, 0) << o.err;
-  EXPECT_EQ(dem::io::read_csv(out + "/analysis_energy.csv").rows.size(), 2u);  // with the frames: first and last
+  EXPECT_EQ(dem::io::read_csv(out + "/analysis_energy.csv").row_count(), 2u);  // with the frames: first and last
   EXPECT_TRUE(std::filesystem::exists(out + "/analysis_stress.csv"));
   EXPECT_TRUE(has(program::read(out + "/scene.toml"), "[analysis]\nwhat = [\"energy\", \"stress\"]"));
   const Outcome check = program::dem({"check", scene});
