@@ -117,7 +117,8 @@ class ForcePass {
   void begin(std::size_t k, Scratch& s) const {
     if (c_.touching[k] != 0) return;
     c_.touching[k] = 1;
-    s.changed.push_back({static_cast<std::uint32_t>(k), 0});
+    // At the start, when all come at once, nobody asks for round pairs.
+    if (dt_ > 0 || c_.seat[k] < c_.round_seats) s.changed.push_back({static_cast<std::uint32_t>(k), 0});
   }
 
   void forget(std::size_t k, Scratch& s) const {

@@ -20,6 +20,8 @@ struct Mesh {
     std::uint32_t first_edge, edge_count;          // facet_edges[first .. first + count): real edges owned by the facet
     std::uint32_t first_border, border_count;      // facet_borders[first .. first + count): all real edges around it
     Vec3d lower, upper;                            // its bounding box, body frame
+    Vec3d inner_centre;                            // a circle in its plane that its borders do not come into, m
+    double inner_radius;                           // 0: there is none about its centroid
   };
   struct Edge {  // a real edge: between two facets that are not coplanar, or an open boundary
     std::uint32_t vertex[2];

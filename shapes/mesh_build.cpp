@@ -69,6 +69,7 @@ struct Builder {
   void add_facets(Mesh& mesh) const;
   void add_edges(Mesh& mesh) const;
   void add_borders(Mesh& mesh) const;
+  void add_inner_circle(const Mesh& mesh, Mesh::Facet& facet) const;
 };
 
 void Builder::check_triangles() {
@@ -252,6 +253,41 @@ void Builder::add_borders(Mesh& mesh) const {
   }
 }
 
+// About the centroid, out to the nearest border; none where the centroid lies in no triangle of the facet.
+void Builder::add_inner_circle(const Mesh& mesh, Mesh::Facet& facet) const {
+  const Vec3d n = facet.normal;
+  Vec3d centre{};
+  double whole = 0;
+  const auto corner = [&](std::uint32_t k, std::size_t i) { return vertices[triangles[mesh.facet_triangles[k]][i]]; };
+  for (std::uint32_t k = facet.first_triangle; k < facet.first_triangle + facet.triangle_count; ++k) {
+    const double part = norm(area[mesh.facet_triangles[k]]);
+    whole += part;
+    centre += (part / 3) * (corner(k, 0) + corner(k, 1) + corner(k, 2));
+  }
+  centre *= 1 / whole;
+  bool inside = false;
+  for (std::uint32_t k = facet.first_triangle; k < facet.first_triangle + facet.triangle_count && !inside; ++k) {
+    const double turn = dot(area[mesh.facet_triangles[k]], n);
+    inside = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3d from = corner(k, i), along = corner(k, (i + 1) % 3) - from;
+      inside = inside && dot(cross(along, centre - from), n) * turn >= 0;
+    }
+  }
+  const auto in_plane = [&](const Vec3d& v) { return v - dot(v, n) * n; };
+  double square = inside ? std::numeric_limits<double>::infinity() : 0;
+  for (std::uint32_t k = 0; k < facet.border_count; ++k) {
+    const Mesh::Edge& edge = mesh.edges[mesh.facet_borders[facet.first_border + k]];
+    const Vec3d from = in_plane(vertices[edge.vertex[0]] - centre),
+                along = in_plane(vertices[edge.vertex[1]] - vertices[edge.vertex[0]]);
+    const double t = std::clamp(-dot(from, along) / dot(along, along), 0.0, 1.0);
+    const Vec3d nearest = from + t * along;
+    square = std::min(square, dot(nearest, nearest));
+  }
+  facet.inner_centre = centre;
+  facet.inner_radius = std::isfinite(square) ? std::sqrt(square) : 0;  // a closed surface in one plane has no border
+}
+
 // Welds, scales to unit size, drops vertices that no triangle uses.
 Builder prepared(std::span<const Vec3d> given, std::span<const std::uint32_t> indices, int& exponent) {
   for (std::size_t i = 0; i < given.size(); ++i)
@@ -319,11 +355,14 @@ Mesh mesh_from_triangles(std::span<const Vec3d> vertices, std::span<const std::u
   builder.add_facets(mesh);
   builder.add_edges(mesh);
   builder.add_borders(mesh);
+  for (Mesh::Facet& f : mesh.facets) builder.add_inner_circle(mesh, f);
   for (const Vec3d& v : builder.vertices) mesh.vertices.push_back(convex::times_two_to(v, exponent));
   for (Mesh::Facet& f : mesh.facets) {
     f.offset = std::ldexp(f.offset, exponent);
     f.lower = convex::times_two_to(f.lower, exponent);
     f.upper = convex::times_two_to(f.upper, exponent);
+    f.inner_centre = convex::times_two_to(f.inner_centre, exponent);
+    f.inner_radius = std::ldexp(f.inner_radius, exponent);
   }
   return mesh;
 }

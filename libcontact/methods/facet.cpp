@@ -19,7 +19,12 @@ FacetView::FacetView(const Placed<shapes::Mesh>& b, const Vec3d& body_centre, co
 
 bool FacetView::over_region(std::uint32_t index, const Vec3d& x) const {
   // Parity of the borders that a ray from x along an axis of the plane crosses; x on a border counts as inside.
-  const Vec3d& n = mesh->facets[index].normal;
+  const shapes::Mesh::Facet& f = mesh->facets[index];
+  const Vec3d& n = f.normal;
+  // Most points lie far within large facets: no border comes near them.
+  const Vec3d from_centre = x - scale * f.inner_centre, in_plane = from_centre - dot(from_centre, n) * n;
+  const double far_within = scale * f.inner_radius - 64 * epsilon * size;
+  if (far_within > 0 && dot(in_plane, in_plane) < far_within * far_within) return true;
   Vec3d u, v;
   tangent_frame(n, u, v);
   const double border = 8 * epsilon * size;

@@ -38,7 +38,8 @@ void print_time_step(const World& world, const std::vector<BodyGroup>& groups, c
   line("limit",
        std::isfinite(t.limit) ? fmt::format("{:.6g} s: {}", t.limit, t.limited_by) : "none: nothing can touch");
   line("steps", fmt::format("{} to t = {:.6g} s", steps, static_cast<double>(steps) * t.dt));
-  line("skin", fmt::format("{:.4g} m", world.skin));
+  line("skin", fmt::format("{:.4g} m{}", world.skin,
+                           world.scene.run.skin >= 0 ? "" : ", auto: of bodies at rest; more where they move"));
   for (const forecast::RayleighTime& r : forecast::rayleigh_times(world))
     line("Rayleigh", fmt::format("{:.4g} s for {} of radius {:.3g} m; dt is {:.2g} of it", r.time,
                                  world.scene.materials[r.material].name, r.radius, t.dt / r.time));

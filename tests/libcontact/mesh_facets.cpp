@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "libcontact/methods/analytic.h"
+#include "libcontact/methods/facet.h"
 #include "libcontact/methods/features.h"
 #include "libcontact/methods/polyhedron_plane.h"
 #include "libcontact/methods/sat.h"
@@ -272,6 +273,58 @@ TEST(MeshFacets, PolyhedronSlidesOffABoxMesh) {
   EXPECT_NEAR(edge.contact.gap, -0.01, 1e-14);
   EXPECT_LE(norm(edge.contact.normal + Vec3d{h, 0, h}), 1e-14);
   EXPECT_NEAR(edge.contact.patch.centre.y, 0, 1e-14);
+}
+
+// A flat region as a fan about a point that need not be a corner, of corners in order; `hole`: a ring about the
+// corners' middle.
+Mesh fan(const std::vector<Vec3d>& corners, bool hole) {
+  std::vector<Vec3d> points = corners;
+  std::vector<std::uint32_t> triangles;
+  const auto n = static_cast<std::uint32_t>(corners.size());
+  for (const Vec3d& c : corners)
+    if (hole) points.push_back(0.4 * c);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    if (hole)
+      triangles.insert(triangles.end(), {i, j, n + j, i, n + j, n + i});
+    else if (i > 0 && j > 0)
+      triangles.insert(triangles.end(), {0, i, j});
+  }
+  return shapes::mesh_from_triangles(points, triangles);
+}
+
+// Whether a point lies over a facet is told by the facet's inner circle or by its borders: the same.
+TEST(MeshFacets, TheInnerCircleOnlySavesTime) {
+  std::vector<Vec3d> disc, corner{{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}};
+  for (int i = 0; i < 64; ++i) disc.push_back({std::cos(2 * M_PI * i / 64), std::sin(2 * M_PI * i / 64), 0});
+  const Mesh meshes[] = {fan(disc, false), fan(disc, true), fan(corner, false),
+                         fan({{0, 0, 0}, {5, 0, 0}, {0, 1, 0}}, false)};
+  Draw draw(77);
+  std::size_t within = 0, outside = 0;
+  for (const Mesh& mesh : meshes) {
+    ASSERT_EQ(mesh.facets.size(), 1u);
+    Mesh plain = mesh;
+    plain.facets[0].inner_radius = 0;
+    const auto& circle = mesh.facets[0];
+    EXPECT_EQ(circle.inner_radius > 0,
+              &mesh == meshes || &mesh == meshes + 3);  // the centroid of the others is without
+    const Scale unit = scale_of(8);
+    const FacetView view(wall(mesh, 0), {0, 0, 1}, unit, unit.down * 8),
+        bare(wall(plain, 0), {0, 0, 1}, unit, unit.down * 8);
+    for (int i = 0; i < 20000; ++i) {
+      Vec3d x{draw.between(-1.2, 5.2), draw.between(-1.2, 3.2), draw.between(-1, 1)};
+      if (i % 4 == 0) {  // about the circle
+        const double turn = draw.between(0, 2 * M_PI),
+                     r = circle.inner_radius * (1 + draw.between(-1, 1) * (i % 8 == 0 ? 1e-14 : 0.1));
+        x = circle.inner_centre + Vec3d{r * std::cos(turn), r * std::sin(turn), x.z};
+      }
+      const bool inside = bare.over_region(0, unit.down * x);
+      ASSERT_EQ(view.over_region(0, unit.down * x), inside) << i;
+      (inside ? within : outside) += 1;
+    }
+  }
+  EXPECT_GT(within, 10000u);
+  EXPECT_GT(outside, 10000u);
 }
 
 }  // namespace
