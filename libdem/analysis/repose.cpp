@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <utility>
 
 #include "libdem/analysis/grid.h"
 #include "libdem/analysis/groups.h"
@@ -131,13 +132,19 @@ FreeSurface free_surface_of(const Snapshot& s, const Settings& settings) {
     }
     first = false;
   }
+  // One square from front to back: a slice of a ridge, and its squares are half as long, to be enough.
+  std::array<double, 2> width{f.width, f.width};
+  const auto squares = [&](std::size_t k) { return std::max(1.0, std::floor((high[k] - low[k]) / width[k])); };
+  const std::size_t narrow = squares(0) < squares(1) ? 0 : 1, wide = 1 - narrow;
+  const bool slice = s.dimension == 3 && !f.ridge && squares(narrow) == 1 && squares(wide) > 1;
+  if (slice) width[wide] *= 0.5;
   std::map<std::array<long, 2>, std::size_t> top;  // by square
   for (std::size_t i = 0; i < s.count(); ++i) {
     if (counted[i] == 0) continue;
     const std::array<double, 2> place = place_of(i);
     std::array<long, 2> square{};
     for (std::size_t k = 0; k < 2; ++k) {
-      const double count = std::max(1.0, std::floor((high[k] - low[k]) / f.width));
+      const double count = squares(k);
       const double at = high[k] > low[k] ? (place[k] - low[k]) / (high[k] - low[k]) : 0;
       square[k] = std::lround(std::min(std::floor(at * count), count - 1));
     }
@@ -150,6 +157,8 @@ FreeSurface free_surface_of(const Snapshot& s, const Settings& settings) {
     const Vec3d place = s.position[i] + f.up * s.bounding_radius[i];
     f.points.push_back({place, height});
   }
+  f.ridge = f.ridge || slice;
+  if (slice && narrow == 0) f.along = std::exchange(f.across, -f.along);
   return f;
 }
 

@@ -7,7 +7,8 @@
 //            horizontal distance from the middle of mass, H the highest; that leaves out apex and toe              (2)
 //   angle_k = atan b;  error_k = s_b/(1 + b²), s_b the standard error of b                                         (3)
 //   angle   = mean over the n sides, error² = Σ error_k²/n² + (variance of the angles)/n                           (4)
-// Sides: two in the plane or where one horizontal axis is periodic (a ridge), else eight sectors about the middle.
+// Sides: two in the plane, where one horizontal axis is periodic (a ridge) and where the bodies are one square deep (a
+// slice of a ridge, between two walls; squares are then half as long), else eight sectors about the middle.
 // A side with fewer than four squares, or that rises outwards, is left out and said: a heap against a wall has the
 // others alone. Bodies without any contact are left out where contacts are known (they fly).
 // A body reaches up by its bounding radius: too much where it is not round, but alike on the whole slope.

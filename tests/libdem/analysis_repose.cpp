@@ -51,6 +51,22 @@ TEST(AnalysisRepose, HeapsOfTheirOwnAngle) {
   expect_angle(heap(3, 28, 8, along_x, true), 28, 1, 2);
 }
 
+// Between two walls a few bodies apart a heap is a slice of a ridge, along whichever axis; here it leans on a wall.
+TEST(AnalysisRepose, ASliceBetweenWallsIsARidge) {
+  for (const bool turned : {false, true}) {
+    Snapshot s;
+    s.dimension = 3;
+    s.gravity = {0, 0, -9.81};
+    Random random(12, 0, 0);
+    const double slope = std::tan(28 * degree), r = 0.25;
+    for (int i = 0; i < 6000; ++i) {
+      const Vec3d x{random.uniform(0, 8 / slope), random.uniform(0, 1.25), random.uniform(r, 8)};
+      if (x.z + r <= 8 - slope * x.x) sets::add_body(s, turned ? Vec3d{x.y, x.x, x.z} : x, r);
+    }
+    expect_angle(s, 28, 1, 1);
+  }
+}
+
 TEST(AnalysisRepose, UpIsWhereGravitySays) {
   Snapshot s = heap(3, 28, 8, about_z);
   const double expected = repose_of(free_surface_of(s, {})).angle.value_or(0);
