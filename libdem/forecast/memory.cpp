@@ -57,7 +57,8 @@ Bytes bytes_of(const World& world) {
   Bytes sum;
   sum.bodies = bytes(p.id) + bytes(p.shape) + bytes(p.kind) + bytes(p.material) + bytes(p.size) + bytes(p.motion) +
                bytes(p.orientation) + bytes(p.rotation) + bytes(p.angular_momentum) + bytes(p.inertia) + bytes(p.mass) +
-               bytes(p.force) + bytes(p.torque) + bytes(c.reference) + bytes(c.allowance) + bytes(c.incidence_start) + bytes(c.active_count);
+               bytes(p.force) + bytes(p.torque) + bytes(c.reference) + bytes(c.allowance) + bytes(c.incidence_start) +
+               bytes(c.active_count);
   sum.contacts = bytes(c.key) + bytes(c.index_a) + bytes(c.index_b) + bytes(c.seat) + bytes(c.history) +
                  bytes(c.memory) + bytes(c.ledger) + bytes(c.touching) + bytes(c.slot) + bytes(c.centre) +
                  bytes(c.cache) + bytes(c.incidence) + bytes(c.active) + bytes(c.wall_records) + bytes(c.groups) +
