@@ -45,18 +45,19 @@ class Sample {
 
  private:
   Where header() const { return {table_.path, table_.header_line, 1}; }
-  Where at(std::size_t r, std::size_t c) const { return table_.where(r, c); }
 
   double positive(std::size_t r, std::size_t c) const {
     const double x = io::number(table_, r, c);
-    if (!(x > 0)) input_error(at(r, c), fmt::format("{} = {}: allowed > 0", table_.columns[c], table_.cell(r, c)));
+    if (!(x > 0))
+      input_error(table_.where(r, c), fmt::format("{} = {}: allowed > 0", table_.columns[c], table_.cell(r, c)));
     return x;
   }
 
   shapes::FormTarget row(std::size_t r) const {
     const double length = positive(r, length_), width = positive(r, width_), thickness = positive(r, thickness_);
     if (!(length >= width && width >= thickness))
-      input_error(at(r, length_), fmt::format("L, W, T = {}, {}, {}: allowed L >= W >= T", length, width, thickness));
+      input_error(table_.where(r, length_),
+                  fmt::format("L, W, T = {}, {}, {}: allowed L >= W >= T", length, width, thickness));
     shapes::FormTarget target{thickness / width, width / length, 0};
     if (sphericity_) {
       const double psi = positive(r, *sphericity_);
@@ -66,7 +67,7 @@ class Sample {
       target.sphericity_cubed = 36 * std::numbers::pi * (volume / area) * (volume / area) / area;
     }
     if (!(target.sphericity_cubed <= 1))
-      input_error(at(r, sphericity_.value_or(volume_.value_or(length_))),
+      input_error(table_.where(r, sphericity_.value_or(volume_.value_or(length_))),
                   "the sphericity is above 1, that of a sphere: are volume and area in the units of L?");
     return target;
   }

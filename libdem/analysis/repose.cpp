@@ -104,6 +104,7 @@ FreeSurface free_surface_of(const Snapshot& s, const Settings& settings) {
   }
   f.middle *= mass > 0 ? 1 / mass : 0;
   // A ridge runs along the horizontal axis that is periodic.
+  const auto quarter_turn = [&f] { f.along = std::exchange(f.across, -f.along); };
   const auto periodic = [&](const Vec3d& e) {
     for (int k = 0; k < 3; ++k)
       if (s.periodic[static_cast<std::size_t>(k)] && std::abs(e[k]) > 1 - 1e-9) return true;
@@ -111,8 +112,7 @@ FreeSurface free_surface_of(const Snapshot& s, const Settings& settings) {
   };
   if (s.dimension == 3) {
     if (periodic(f.along)) {
-      std::swap(f.along, f.across);
-      f.across = -f.across;
+      quarter_turn();
     }
     f.ridge = periodic(f.across);
   }
@@ -158,7 +158,7 @@ FreeSurface free_surface_of(const Snapshot& s, const Settings& settings) {
     f.points.push_back({place, height});
   }
   f.ridge = f.ridge || slice;
-  if (slice && narrow == 0) f.along = std::exchange(f.across, -f.along);
+  if (slice && narrow == 0) quarter_turn();
   return f;
 }
 

@@ -17,10 +17,9 @@ constexpr double widest_of_walls = 7;      // of half the skin of bodies at rest
 double farthest(const World& world) {
   double limit = std::numeric_limits<double>::infinity();
   if (!world.cell.periodic) return limit;
-  double largest = 0;
-  for (const Motion& m : world.particles.motion) largest = std::max(largest, m.bounding_radius);
   for (int k = 0; k < 3; ++k)
-    if (const double length = world.cell.lattice.length[k]; length > 0) limit = std::min(limit, length / 4 - largest);
+    if (const double length = world.cell.lattice.length[k]; length > 0)
+      limit = std::min(limit, length / 4 - world.contacts.largest_sum / 2);
   return std::max(limit, 0.5 * world.skin);
 }
 

@@ -358,6 +358,8 @@ void rebuild_candidates(World& world, int threads) {
   const auto begin = std::chrono::steady_clock::now();
   Contacts& c = world.contacts;
   const Particles& p = world.particles;
+  c.largest_sum = 0;
+  for (const Motion& m : p.motion) c.largest_sum = std::max(c.largest_sum, 2 * m.bounding_radius);
   choose_allowances(world);
   if (world.counters.rebuilds % sort_every == 0) sort_in_space(world);
   for (auto* v : {&c.incidence, &c.active, &c.wall_records}) release(*v);
@@ -388,11 +390,7 @@ void rebuild_candidates(World& world, int threads) {
   index_by_particle(world, threads);
   plan_sweep(world);
   c.reference.resize(p.count());
-  c.largest_sum = 0;
-  for (std::size_t i = 0; i < p.count(); ++i) {
-    c.reference[i] = p.motion[i].position;
-    c.largest_sum = std::max(c.largest_sum, 2 * p.motion[i].bounding_radius);
-  }
+  for (std::size_t i = 0; i < p.count(); ++i) c.reference[i] = p.motion[i].position;
   c.reference_orientation = has_compounds(world) ? p.orientation : std::vector<Quatd>{};
   c.travel.assign(all_spheres || world.cell.deforms ? 0 : p.count(), 0);
   c.apart_until.assign(all_spheres || world.cell.deforms ? 0 : total, 0);

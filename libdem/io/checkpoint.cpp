@@ -32,13 +32,9 @@ class Checksum {
   explicit Checksum(std::uint64_t seed) : h_(seed ^ 0x9e3779b97f4a7c15u) {}
   void add(std::span<const std::uint8_t> bytes) {
     size_ += bytes.size();
-    while (!bytes.empty() && (held_ > 0 || bytes.size() < 8)) {
-      word_[held_++] = bytes.front();
-      bytes = bytes.subspan(1);
-      if (held_ == 8) mix_word(word_.data());
-    }
+    for (; held_ > 0 && !bytes.empty(); bytes = bytes.subspan(1)) hold(bytes.front());
     for (; bytes.size() >= 8; bytes = bytes.subspan(8)) mix_word(bytes.data());
-    if (!bytes.empty()) add_rest(bytes);
+    for (const std::uint8_t byte : bytes) hold(byte);
   }
   std::uint64_t value() {
     std::uint64_t rest = 0;
@@ -50,14 +46,16 @@ class Checksum {
   std::uint64_t size() const { return size_; }
 
  private:
-  void add_rest(std::span<const std::uint8_t> bytes) {
-    for (const std::uint8_t byte : bytes) word_[held_++] = byte;
+  void hold(std::uint8_t byte) {
+    word_[held_++] = byte;
+    if (held_ < word_.size()) return;
+    mix_word(word_.data());
+    held_ = 0;
   }
   void mix_word(const std::uint8_t* from) {
     std::uint64_t word;
     std::memcpy(&word, from, 8);
     mix(word);
-    held_ = 0;
   }
   void mix(std::uint64_t word) {
     h_ = (h_ ^ word) * 0xff51afd7ed558ccdu;

@@ -110,7 +110,8 @@ std::size_t column(const Table& table, const std::string& name) {
 }
 
 double number(const Table& table, std::size_t row, std::size_t column) {
-  const std::string cell = table.cell(row, column);
+  const Table::Cell& at = table.cells[row * table.columns.size() + column];
+  const std::string_view cell = std::string_view(table.text).substr(at.first, at.size);
   const char* first = cell.data();
   const char* last = first + cell.size();
   if (cell.size() > 1 && cell[0] == '+' && cell[1] != '-') ++first;
